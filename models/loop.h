@@ -40,7 +40,7 @@ SPOKE_EXPORT std::string_view name_of(LoopKind kind);
 /// mount that holds the hub's axle, or on an anchor. A place of a loop on these three is given as a
 /// blade or subsystem at the azimuth 0 has it, and turned by its azimuth about the hub's axis.
 struct LoopPlace {
-  /// What carries the place.
+  /// What carries the place; `hub` is, of a loop of a support, what the support stands on.
   enum class Carrier { body, hub, mount, anchor };
 
   Carrier carrier = Carrier::body;

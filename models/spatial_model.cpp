@@ -96,6 +96,10 @@ void suspend(const Suspension& suspension, Model& model) {
   model.support->axle.body = "carrier";
 }
 
+std::string_view name_of(SupportBase base) {
+  return base == SupportBase::ground ? "ground" : "free";
+}
+
 std::string_view name_of(LoadFrame frame) {
   switch (frame) {
     case LoadFrame::inertial:

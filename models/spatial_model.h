@@ -420,6 +420,8 @@ SPOKE_EXPORT void suspend(const Suspension& suspension, Model& model);
 
 /// Returns the name that scenario files use: "fixed", "revolute", ...
 SPOKE_EXPORT std::string_view name_of(JointKind kind);
+/// Returns "ground" or "free".
+SPOKE_EXPORT std::string_view name_of(SupportBase base);
 /// Returns "inertial", "hub", "body" or "section".
 SPOKE_EXPORT std::string_view name_of(LoadFrame frame);
 

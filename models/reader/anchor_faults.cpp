@@ -51,8 +51,19 @@ Fault find_motion_fault(const ProgramAnchorMotion& motion) {
 
 }  // namespace
 
-Fault find_fault(const Anchor& anchor, const std::vector<Anchor>& before, HubSupport support,
-                 bool in_plane) {
+std::string find_mount_fault(HubSupport support) {
+  if (support == HubSupport::axle) return {};
+  return "is \"mount\", which a free hub has not; expected \"hub\"";
+}
+
+std::string find_mount_fault(const spatial::Model& model) {
+  if (model.support && model.support->from == spatial::SupportBase::free)
+    return "is \"mount\", which a support that is free has not; expected \"hub\"";
+  return find_mount_fault(model.hub.support);
+}
+
+Fault find_fault(const Anchor& anchor, const std::vector<Anchor>& before,
+                 const std::string& mount_fault, bool in_plane) {
   const FirstFault first;
   first.add(spatial::find_name_fault(anchor.name));
   for (const Anchor& other : before)
@@ -60,8 +71,7 @@ Fault find_fault(const Anchor& anchor, const std::vector<Anchor>& before, HubSup
       first.add(
           {"name", "is \"" + anchor.name + "\" as another anchor's, expected a name of its own"});
   const bool is_of_hub = anchor.frame == Anchor::Frame::hub;
-  if (!is_of_hub && support == HubSupport::free)
-    first.add({"frame", "is \"mount\", which a free hub has not; expected \"hub\""});
+  if (!is_of_hub && !mount_fault.empty()) first.add({"frame", mount_fault});
   if (is_of_hub && anchor.turns_with_hub)
     first.add({"turns_with_hub",
                "is true in the frame \"hub\", which turns with the hub itself; expected it only "

@@ -137,6 +137,11 @@ void look_at_subsystem(const spatial::Subsystem& subsystem, Hints& hints) {
   look_at_loops("subsystem \"" + subsystem.name + '"', subsystem.loops, hints);
 }
 
+void look_at_support(const spatial::Support& support, Hints& hints) {
+  hints.look("attitude", "the support", support.fuselage.attitude.norm(), kTurn);
+  hints.look("orientation", "the support's axle", support.axle.orientation.norm(), kTurn);
+}
+
 /// Looks at a rotation vector over time; `of`: "the rotation of the hub's mount".
 void look_at_rotation(const std::string& of, const spatial::VectorCourse& rotation, Hints& hints) {
   if (const auto* table = std::get_if<spatial::VectorTable>(&rotation)) {
@@ -172,6 +177,7 @@ std::vector<std::string> find_angle_hints(const Scenario& scenario) {
     return hints.take();
   }
   const spatial::Model& model = *scenario.space;
+  if (model.support) look_at_support(*model.support, hints);
   look_at_blades(model.blades, hints);
   for (const spatial::Subsystem& subsystem : model.subsystems) look_at_subsystem(subsystem, hints);
   if (model.hub.mount)

@@ -33,6 +33,7 @@ std::vector<std::string_view> names_of(const std::vector<Anchor>& anchors) {
 
 /// Finds a body that is called as what holds the axle is.
 Fault find_double_mount(const LoopPlace& place, const LoopSurroundings& around) {
+  if (around.is_support()) return {};
   const bool is_named = place.carrier == LoopPlace::Carrier::mount ||
                         (place.carrier == LoopPlace::Carrier::body && place.name == "mount");
   const bool is_body = std::any_of(around.bodies.begin(), around.bodies.end(),
@@ -43,6 +44,26 @@ Fault find_double_mount(const LoopPlace& place, const LoopSurroundings& around) 
           "the body"};
 }
 
+/// Returns the names of what carries bodies: "hub" and "mount", or what a support stands on.
+std::string bases_of(const LoopSurroundings& around) {
+  if (!around.is_support()) return "\"hub\" or \"mount\"";
+  return '"' + std::string(around.base_name()) + '"';
+}
+
+/// Finds the mount where loops cannot be fixed to it.
+Fault find_mount_place(const LoopSurroundings& around) {
+  switch (around.base) {
+    case LoopBase::axle:
+      return {};
+    case LoopBase::free:
+      return {"", "is \"mount\", which a free hub has not; expected \"hub\" or a body"};
+    case LoopBase::supported:
+      return {"", "is \"mount\", which a hub on a support has not; expected \"hub\" or a body"};
+    default:
+      return {"", "is \"mount\", expected " + bases_of(around) + " or a body"};
+  }
+}
+
 Fault find_body_fault(const LoopPlace& place, const LoopSurroundings& around) {
   if (around.find(place) != nullptr) return {};
   if (around.is_blade())
@@ -50,17 +71,40 @@ Fault find_body_fault(const LoopPlace& place, const LoopSurroundings& around) {
                         "\", but bodies of a blade have no names; expected station, a distance "
                         "from the root, or \"hub\" or \"mount\""};
   if (place.name.empty())
-    return {"body", "is missing, expected the name of a body, \"hub\" or \"mount\", or anchor"};
-  std::vector<std::string_view> names{"hub", "mount"};
+    return {"body", "is missing, expected the name of a body, " + bases_of(around) + ", or anchor"};
+  std::vector<std::string_view> names{around.base_name()};
+  if (!around.is_support()) names.push_back("mount");
   for (const LoopBody& body : around.bodies) names.push_back(body.name);
   return {"body", describe_unknown(place.name, names)};
 }
 
-Fault find_anchor_fault(const LoopPlace& place, const std::vector<Anchor>& anchors) {
+/// Finds an anchor that does not move with what carries the bodies: the hub on a support, and the
+/// support, are on two sides of the axle.
+Fault find_frame_fault(const Anchor& anchor, const LoopSurroundings& around) {
+  const bool is_of_hub = anchor.frame == Anchor::Frame::hub;
+  const std::string found = "is \"" + anchor.name + "\", an anchor of the frame \"" +
+                            std::string(name_of(anchor.frame)) + '"';
+  if (around.base == LoopBase::supported && !is_of_hub)
+    return {"anchor", found + ", but the hub is on a support; expected one of the frame \"hub\""};
+  if (!around.is_support()) return {};
+  if (is_of_hub)
+    return {"anchor", found +
+                          ", but the loop is of the support; expected one of the frame "
+                          "\"mount\""};
+  if (anchor.turns_with_hub)
+    return {"anchor", "is \"" + anchor.name +
+                          "\", which turns with the hub, but the loop is of the support; expected "
+                          "one that does not"};
+  return {};
+}
+
+Fault find_anchor_fault(const LoopPlace& place, const LoopSurroundings& around) {
+  const std::vector<Anchor>& anchors = *around.anchors;
   if (anchors.empty()) return {"anchor", "is \"" + place.name + "\", but there is no [[anchor]]"};
-  const std::vector<std::string_view> names = names_of(anchors);
-  if (std::find(names.begin(), names.end(), place.name) != names.end()) return {};
-  return {"anchor", describe_unknown(place.name, names)};
+  const auto found = std::find_if(anchors.begin(), anchors.end(),
+                                  [&](const Anchor& anchor) { return anchor.name == place.name; });
+  if (found != anchors.end()) return find_frame_fault(*found, around);
+  return {"anchor", describe_unknown(place.name, names_of(anchors))};
 }
 
 /// Finds a station of a blade in the plane at which none of its bodies ends.
@@ -210,7 +254,21 @@ Fault find_loop_fault(const Loop& loop, const LoopSurroundings& around) {
   return first.found();
 }
 
+LoopBase base_on(HubSupport support) {
+  return support == HubSupport::axle ? LoopBase::axle : LoopBase::free;
+}
+
+LoopBase base_on_hub(const spatial::Model& model) {
+  return model.support ? LoopBase::supported : base_on(model.hub.support);
+}
+
 }  // namespace
+
+std::string_view LoopSurroundings::base_name() const {
+  if (!is_support()) return "hub";
+  return spatial::base_name(base == LoopBase::ground ? spatial::SupportBase::ground
+                                                     : spatial::SupportBase::free);
+}
 
 const LoopBody* LoopSurroundings::find(const LoopPlace& place) const {
   const auto found = std::find_if(bodies.begin(), bodies.end(),
@@ -220,15 +278,19 @@ const LoopBody* LoopSurroundings::find(const LoopPlace& place) const {
 
 LoopSurroundings surroundings_of(const Blade& blade, const Hub& hub,
                                  const std::vector<Anchor>& anchors) {
-  return {true, hub.support == HubSupport::axle, &anchors, {{"", blade.length, blade.bodies}}};
+  return {true, base_on(hub.support), &anchors, {{"", blade.length, blade.bodies}}};
 }
 
 LoopSurroundings surroundings_of(const spatial::Blade& blade, const spatial::Model& model) {
-  return {false, model.hub.support == HubSupport::axle, &model.anchors, {{"", blade.beam.length}}};
+  return {false, base_on_hub(model), &model.anchors, {{"", blade.beam.length}}};
 }
 
 LoopSurroundings surroundings_of(const spatial::Subsystem& subsystem, const spatial::Model& model) {
-  LoopSurroundings around{false, model.hub.support == HubSupport::axle, &model.anchors};
+  LoopBase base = base_on_hub(model);
+  if (spatial::base_of(subsystem, model).is_support)
+    base =
+        model.support->from == spatial::SupportBase::ground ? LoopBase::ground : LoopBase::fuselage;
+  LoopSurroundings around{false, base, &model.anchors};
   for (const spatial::Body& body : subsystem.bodies) {
     const auto* beam = std::get_if<spatial::Beam>(&body.shape);
     around.bodies.push_back({body.name, beam ? std::optional(beam->length) : std::nullopt, 1,
@@ -257,11 +319,9 @@ int count_locked_places(LoopKind kind, bool in_plane) {
 Fault find_fault(const LoopPlace& place, const LoopSurroundings& around) {
   const FirstFault first;
   first.add(find_double_mount(place, around));
-  if (place.carrier == LoopPlace::Carrier::mount && !around.has_mount)
-    first.add({"", "is \"mount\", which a free hub has not; expected \"hub\" or a body"});
+  if (place.carrier == LoopPlace::Carrier::mount) first.add(find_mount_place(around));
   if (place.carrier == LoopPlace::Carrier::body) first.add(find_body_fault(place, around));
-  if (place.carrier == LoopPlace::Carrier::anchor)
-    first.add(find_anchor_fault(place, *around.anchors));
+  if (place.carrier == LoopPlace::Carrier::anchor) first.add(find_anchor_fault(place, around));
   if (!first.found()) first.add(find_fault_of_station(place, around));
   first("point", place.point, kLength, Presence::optional);
   if (place.orientation)

@@ -23,14 +23,26 @@ struct LoopBody {
   const spatial::SolidBody* solid = nullptr;    ///< null: it is none
 };
 
+/// What carries the bodies that loops are on.
+enum class LoopBase {
+  axle,       ///< a hub, whose axle the mount holds
+  free,       ///< a free hub
+  supported,  ///< a hub on a support
+  ground,     ///< of a support, the ground, or the mount that moves in it
+  fuselage,   ///< of a support that is free, the fuselage
+};
+
 /// What the loops of a blade or a subsystem may be fixed to. Valid as long as what it was made of.
 struct LoopSurroundings {
   bool in_plane = false;
-  bool has_mount = true;  ///< whether an axle's mount holds the hub
+  LoopBase base = LoopBase::axle;
   const std::vector<Anchor>* anchors = nullptr;
   std::vector<LoopBody> bodies{};
 
   bool is_blade() const { return bodies.size() == 1 && bodies.front().name.empty(); }
+  bool is_support() const { return base == LoopBase::ground || base == LoopBase::fuselage; }
+  /// Returns what files call the carrier `hub`: "hub", or what the support stands on.
+  std::string_view base_name() const;
   /// Returns the body that carries a place; null if there is none of its name.
   const LoopBody* find(const LoopPlace& place) const;
 };
@@ -49,9 +61,13 @@ Fault find_fault(const LoopPlace& place, const LoopSurroundings& around);
 /// Finds the first fault of the loops of a blade or a subsystem, "loop.2.from.station".
 Fault find_fault(const std::vector<Loop>& loops, const LoopSurroundings& around);
 
-/// Finds a fault of an anchor. `before`: those that stand before it.
-Fault find_fault(const Anchor& anchor, const std::vector<Anchor>& before, HubSupport support,
-                 bool in_plane);
+/// Finds a fault of an anchor. `before`: those that stand before it; `mount_fault`: of anchors of
+/// the frame `mount`, empty if there may be some.
+Fault find_fault(const Anchor& anchor, const std::vector<Anchor>& before,
+                 const std::string& mount_fault, bool in_plane);
+/// Returns what is wrong with anchors of the frame `mount`; empty if nothing is.
+std::string find_mount_fault(HubSupport support);
+std::string find_mount_fault(const spatial::Model& model);
 
 /// Returns what is wrong with the spectral radius, a number in its range, where loops of the
 /// scenario's model are rigid; empty if nothing is.

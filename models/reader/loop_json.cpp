@@ -15,7 +15,7 @@ Json to_json(const LoopPlace& place, const LoopSurroundings& around) {
   std::optional<double> station = place.station;
   switch (place.carrier) {
     case LoopPlace::Carrier::hub:
-      json.set("body", "hub");
+      json.set("body", around.base_name());
       break;
     case LoopPlace::Carrier::mount:
       json.set("body", "mount");

@@ -54,7 +54,7 @@ void check_kind_keys(const TomlSection& section, LoopKind kind, bool in_plane) {
 }
 
 /// Reads what carries a place by its name.
-void read_carrier(const TomlSection& table, LoopPlace& place) {
+void read_carrier(const TomlSection& table, const LoopSurroundings& around, LoopPlace& place) {
   if (table.has("anchor")) {
     if (table.has("body")) table.fail("anchor", "given along with body, expected only one of them");
     place.carrier = LoopPlace::Carrier::anchor;
@@ -62,9 +62,9 @@ void read_carrier(const TomlSection& table, LoopPlace& place) {
     return;
   }
   const std::string name = table.text("body", "");
-  if (name == "hub") {
+  if (name == around.base_name()) {
     place.carrier = LoopPlace::Carrier::hub;
-  } else if (name == "mount") {
+  } else if (name == "mount" && !around.is_support()) {
     place.carrier = LoopPlace::Carrier::mount;
   } else {
     place.name = name;
@@ -92,20 +92,22 @@ TomlSection::Keys place_keys(bool in_plane) {
 
 LoopPlace read_place(const TomlSection& section, std::string_view key,
                      const LoopSurroundings& around) {
-  const std::string expected = around.is_blade()
-                                   ? "\"hub\", \"mount\", or a table with body, anchor or station"
-                                   : "\"hub\", \"mount\", or a table with body or anchor";
+  const std::string base(around.base_name());
+  const std::string expected = '"' + base + (around.is_support() ? "\"" : "\", \"mount\"") +
+                               ", or a table with body" +
+                               (around.is_blade() ? ", anchor or station" : " or anchor");
   if (!section.has(key)) section.fail(key, "is missing, expected " + expected);
   LoopPlace place;
   if (section.is_text(key)) {
     const std::string text = section.text(key, "");
-    if (text != "hub" && text != "mount") section.fail_expected(key, expected);
-    place.carrier = text == "hub" ? LoopPlace::Carrier::hub : LoopPlace::Carrier::mount;
+    if (text != base && (text != "mount" || around.is_support()))
+      section.fail_expected(key, expected);
+    place.carrier = text == base ? LoopPlace::Carrier::hub : LoopPlace::Carrier::mount;
     return place;
   }
   if (!section.is_table(key)) section.fail_expected(key, expected);
   const TomlSection table = section.section(key, place_keys(around.in_plane));
-  read_carrier(table, place);
+  read_carrier(table, around, place);
   place.interface = table.text("interface", "");
   read_point(table, around, place);
   if (table.has("orientation"))
@@ -198,7 +200,8 @@ std::vector<Loop> read_loops(const TomlSection& parent, const LoopSurroundings& 
   return loops;
 }
 
-std::vector<Anchor> read_anchors(const TomlSection& root, HubSupport support, bool in_plane) {
+std::vector<Anchor> read_anchors(const TomlSection& root, const std::string& mount_fault,
+                                 bool in_plane) {
   std::vector<Anchor> anchors;
   for (const TomlSection& section :
        root.sections("anchor", {"name", "frame", "turns_with_hub", "motion"})) {
@@ -209,7 +212,7 @@ std::vector<Anchor> read_anchors(const TomlSection& root, HubSupport support, bo
         section.choice("frame", {Anchor::Frame::mount, Anchor::Frame::hub}, anchor.frame);
     anchor.turns_with_hub = section.flag("turns_with_hub", anchor.turns_with_hub);
     read_motion(section, in_plane, anchor);
-    if (const Fault fault = find_fault(anchor, anchors, support, in_plane))
+    if (const Fault fault = find_fault(anchor, anchors, mount_fault, in_plane))
       section.fail_at(fault.path, fault.text);
     anchors.push_back(std::move(anchor));
   }

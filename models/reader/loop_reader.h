@@ -2,6 +2,7 @@
 
 // Reads closed loops and anchors, in the plane and in space.
 
+#include <string>
 #include <vector>
 
 #include "models/loop.h"
@@ -14,7 +15,9 @@ namespace spoke {
 /// find_fault() finds.
 std::vector<Loop> read_loops(const TomlSection& parent, const LoopSurroundings& around);
 
-/// Reads [[anchor]] from a scenario's root. Throws InputError, also about what find_fault() finds.
-std::vector<Anchor> read_anchors(const TomlSection& root, HubSupport support, bool in_plane);
+/// Reads [[anchor]] from a scenario's root. `mount_fault`: find_mount_fault() of the model. Throws
+/// InputError, also about what find_fault() finds.
+std::vector<Anchor> read_anchors(const TomlSection& root, const std::string& mount_fault,
+                                 bool in_plane);
 
 }  // namespace spoke

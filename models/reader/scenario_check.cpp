@@ -94,7 +94,7 @@ void check_loops(const Rotor& rotor) {
   std::vector<Anchor> anchors;
   for (const Anchor& anchor : rotor.anchors) {
     require("anchor." + std::to_string(anchors.size() + 1),
-            find_fault(anchor, anchors, rotor.hub.support, true));
+            find_fault(anchor, anchors, find_mount_fault(rotor.hub.support), true));
     anchors.push_back(anchor);
   }
   std::size_t number = 0;

@@ -85,6 +85,11 @@ std::string find_solid(const TomlTable& root) {
   return {};
 }
 
+bool has_suspension(const TomlTable& root) {
+  const TomlValue* hub = root.find("hub");
+  return hub && hub->as_table() && hub->as_table()->find("suspension");
+}
+
 /// Reads the model, in the plane or in space. Files that it names are relative to `folder`.
 void read_world(const TomlDocument& document, const TomlSection& root, const std::string& folder,
                 Scenario& scenario) {
@@ -100,6 +105,9 @@ void read_world(const TomlDocument& document, const TomlSection& root, const std
     if (const std::string path = find_solid(document.root()); !path.empty())
       root.fail_at(path, "is \"solid\", and solids belong to world = \"space\"");
     refuse("subsystem", "\"space\"");
+    refuse("support", "\"space\"");
+    if (has_suspension(document.root()))
+      root.fail_at("hub.suspension", "belongs to another world, expected world = \"space\"");
     scenario.rotor = read_rotor(root);
   }
 }
@@ -118,8 +126,8 @@ Scenario parse_scenario(const std::string& text, const std::string& name,
   TomlDocument document(text, name);
   for (const std::string& assignment : overrides) document.set(assignment);
   const TomlSection root(
-      document, {"title", "world", "hub", "anchor", "blade", "blades", "subsystem", "gravity",
-                 "damping", "load", "distributed_load", "drag", "hub_load", "initial",
+      document, {"title", "world", "hub", "anchor", "blade", "blades", "subsystem", "support",
+                 "gravity", "damping", "load", "distributed_load", "drag", "hub_load", "initial",
                  "integration", "limits", "output", "sensor"});
   Scenario scenario;
   scenario.name = name_of_file(name);

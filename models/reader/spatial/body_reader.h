@@ -2,6 +2,7 @@
 
 // Reads blades and subsystems.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,19 @@ namespace spoke::spatial {
 /// Reads [blade] and [[blades]] from a scenario's root; none if there are none. The model has its
 /// hub and its anchors, on which loops may close.
 std::vector<Blade> read_blades(const TomlSection& root, const Model& model);
+
+/// Returns the keys of the tables that describe a tree of bodies.
+TomlSection::Keys tree_keys();
+
+/// Reads the bodies, joints and loops of a tree, which has its name, from its table. A joint on the
+/// base may leave out its parent if the model's support stands there. `before`: subsystems that are
+/// read, which lend their meshes.
+void read_tree(const TomlSection& section, const Model& model, const std::string& folder,
+               const std::vector<Subsystem>& before, Subsystem& tree);
+
+/// Reads a place on a beam of a tree, or none: "station", or "node" counted from the root.
+std::optional<double> read_station(const TomlSection& section, const Subsystem& tree,
+                                   const std::string& body);
 
 /// Reads [[subsystem]] from a scenario's root. The model has its hub and its anchors; meshes are
 /// relative to `folder`. One with a count N makes N subsystems, named NAME1 to NAMEN.

@@ -3,6 +3,7 @@
 // Finds faults in a model in space, each a path of keys and words, by one set of rules for models
 // from files and models filled in code.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -58,6 +59,16 @@ Fault find_course_fault(const std::string& key, const VectorCourse& course, std:
 /// Finds a missing or malformed name.
 Fault find_name_fault(const std::string& name);
 
+/// What a tree of bodies stands on.
+struct TreeBase {
+  std::string_view name = "hub";         ///< as its joints call it
+  std::string_view table = "subsystem";  ///< table of the tree in a scenario
+  bool is_support = false;               ///< whether the tree is that of a support
+  bool may_be_alone = false;             ///< whether there may be no body on it
+};
+/// Returns what a subsystem of a model stands on. The one of the support's name is the support's.
+TreeBase base_of(const Subsystem& subsystem, const Model& model);
+
 /// Finds a fault of sections of a beam of this length.
 Fault find_fault(const Sections& sections, double length);
 Fault find_fault(const Beam& beam);
@@ -66,8 +77,18 @@ Fault find_fault(const RigidBody& body);
 Fault find_fault(const SolidBody& body);
 Fault find_fault(const Joint& joint);
 Fault find_fault(const Blade& blade);
-Fault find_fault(const Subsystem& subsystem);
+Fault find_fault(const Subsystem& subsystem, const TreeBase& base = {});
+/// Finds a fault of the place that a body of a tree carries, a joint of the tree or an axle; none:
+/// its base does.
+Fault find_place_fault(const Body* carrier, const std::optional<double>& station,
+                       const std::string& interface);
 Fault find_fault(const Hub& hub);
+/// Finds a fault of the springs, the dampers and the carrier of a suspension.
+Fault find_fault(const Suspension& suspension);
+/// Finds a fault of a support with its tree.
+Fault find_fault(const Support& support, const Subsystem& tree);
+/// Finds what of a model does not fit its support: "hub.mass".
+Fault find_carried_fault(const Model& model);
 /// Finds a fault of a load on a model that is otherwise fine.
 Fault find_fault(const PointLoad& load, const Model& model);
 Fault find_fault(const DistributedLoad& load, const Model& model);

@@ -70,7 +70,9 @@ Fault find_double(const JointCoordinate& coordinate, JointKind kind, int index) 
 /// Finds keys that a spherical joint cannot have.
 Fault find_spherical_fault(const Joint& joint) {
   const FirstFault first;
-  for (const JointCoordinate& c : joint.coordinates) {
+  const auto count = static_cast<std::size_t>(count_coordinates(joint.kind));
+  for (std::size_t i = 0; i < count; ++i) {
+    const JointCoordinate& c = joint.coordinates[i];
     const auto refuse = [&](const char* key) {
       first.add({key, "does not belong to kind \"spherical\""});
     };
@@ -82,6 +84,48 @@ Fault find_spherical_fault(const Joint& joint) {
     if (c.damping != joint.coordinates[0].damping)
       first.add({"damping", "differs between the coordinates, expected one for all three"});
   }
+  return first.found();
+}
+
+/// Finds a fault of one direction of a bushing, which is held if it has neither spring nor damper.
+Fault find_bushing_fault(const JointCoordinate& coordinate, int index) {
+  const FirstFault first;
+  const std::string number = '.' + std::to_string(index + 1);
+  const bool is_held = coordinate.stiffness == 0.0 && coordinate.damping == 0.0;
+  visit_fields(coordinate, units_of(JointKind::bushing, index),
+               [&](std::string_view key, double value, const Quantity& quantity) {
+                 first(std::string(key) + number, value, quantity);
+                 if (is_held && value != 0.0)
+                   first.add({std::string(key) + number,
+                              "is " + describe(value) +
+                                  " in a direction that is held, since it has neither stiffness "
+                                  "nor damping; expected 0"});
+               });
+  if (!is_zero(coordinate.effort))
+    first.add({slides(JointKind::bushing, index) ? "force" : "torque",
+               "does not belong to kind \"bushing\""});
+  if (coordinate.stop) first.add({"stop", "does not belong to kind \"bushing\""});
+  const auto* motion = coordinate.motion ? std::get_if<MotionTable>(&*coordinate.motion) : nullptr;
+  if (is_held && !(motion && is_zero(motion->value)))
+    first.add({"motion" + number,
+               "is none of zero, expected one that holds a direction without stiffness and "
+               "damping"});
+  if (!is_held && coordinate.motion)
+    first.add({"motion" + number, "does not belong to kind \"bushing\""});
+  return first.found();
+}
+
+Fault find_bushing_fault(const Joint& joint) {
+  const FirstFault first;
+  bool moves = false;
+  for (std::size_t i = 0; i < joint.coordinates.size(); ++i) {
+    first.add(find_bushing_fault(joint.coordinates[i], static_cast<int>(i)));
+    moves = moves || !joint.coordinates[i].motion;
+  }
+  if (!moves)
+    first.add({"stiffness",
+               "and damping are 0 in all directions, so that the bushing holds them all; expected "
+               "one that moves, or kind \"fixed\""});
   return first.found();
 }
 
@@ -120,6 +164,10 @@ Fault find_fault(const Joint& joint) {
   visit_fields(joint, first);
   first.add(find_axes_fault(joint));
   if (joint.kind == JointKind::spherical) first.add(find_spherical_fault(joint));
+  if (joint.kind == JointKind::bushing) {
+    first.add(find_bushing_fault(joint));
+    return first.found();
+  }
   first.add(find_effort_fault(joint));
   for (int i = 0; i < count_coordinates(joint.kind); ++i)
     first.add(find_coordinate_fault(joint.coordinates[static_cast<std::size_t>(i)], joint.kind, i));

@@ -1,5 +1,5 @@
 // Writes a number where a joint has one coordinate, otherwise an array with one number for each; a
-// prescribed coordinate has only its motion.
+// prescribed coordinate has only its motion; those of bushings are zero where they are held.
 
 #include "models/reader/spatial/joint_json.h"
 
@@ -103,6 +103,7 @@ void add_joint(const Joint& joint, Json& json) {
   const std::size_t count = count_of(joint);
   if (count == 0) return;
   add_numbers(joint, json);
+  if (joint.kind == JointKind::bushing) return;  // its other keys follow from its springs
   const std::size_t ways = slides(joint.kind, static_cast<int>(count) - 1) ? 1 : 0;
   if (count > ways) add_effort("torque", joint.coordinates.data(), count - ways, json);
   if (ways > 0) add_effort("force", joint.coordinates.data() + count - 1, 1, json);

@@ -13,8 +13,8 @@
 namespace spoke::spatial {
 namespace {
 
-const TomlSection::Keys kKinds = {"fixed",     "revolute",  "universal",
-                                  "spherical", "prismatic", "cylindrical"};
+const TomlSection::Keys kKinds = {"fixed",     "revolute",    "universal", "spherical",
+                                  "prismatic", "cylindrical", "bushing"};
 
 /// Refuses keys of other kinds of joint, which would be ignored.
 void check_kind_keys(const TomlSection& section, std::string_view kind) {
@@ -24,13 +24,15 @@ void check_kind_keys(const TomlSection& section, std::string_view kind) {
   };
   const TomlSection::Keys moving(kKinds.begin() + 1, kKinds.end());
   const TomlSection::Keys bounded = {"revolute", "universal", "prismatic", "cylindrical"};
+  TomlSection::Keys at_rest = bounded;
+  at_rest.push_back("bushing");
   const std::vector<Key> keys = {{"axis", {"revolute", "prismatic", "cylindrical"}},
                                  {"axes", {"universal"}},
                                  {"stiffness", moving},
                                  {"damping", moving},
                                  {"initial", moving},
                                  {"initial_speed", moving},
-                                 {"rest", bounded},
+                                 {"rest", at_rest},
                                  {"stop", bounded},
                                  {"motion", bounded},
                                  {"torque", {"revolute", "universal", "spherical", "cylindrical"}},
@@ -56,14 +58,22 @@ void read_axes(const TomlSection& section, Joint& joint) {
 void read_numbers(const TomlSection& section, Joint& joint) {
   const auto count = static_cast<std::size_t>(count_coordinates(joint.kind));
   const bool is_spherical = joint.kind == JointKind::spherical;
+  const bool is_bushing = joint.kind == JointKind::bushing;
   for (std::size_t i = 0; i < count; ++i)
-    visit_fields(joint.coordinates[i], units_of(joint.kind, static_cast<int>(i)),
+    visit_fields(joint.coordinates[i],
+                 is_bushing ? kBushingUnits : units_of(joint.kind, static_cast<int>(i)),
                  [&](std::string_view key, double& value, const Quantity& quantity) {
                    if (!section.has(key)) return;
                    const bool is_one = is_spherical && (key == "stiffness" || key == "damping");
                    value = count == 1 || is_one ? section.number(key, quantity)
                                                 : section.numbers(key, quantity, count)[i];
                  });
+}
+
+/// Holds the directions of a bushing that have neither spring nor damper.
+void hold_directions(Joint& joint) {
+  for (JointCoordinate& coordinate : joint.coordinates)
+    if (coordinate.stiffness == 0.0 && coordinate.damping == 0.0) coordinate.motion = MotionTable{};
 }
 
 /// Reads the efforts of `count` coordinates from `first` on: a number, an array of as many, or a
@@ -187,6 +197,7 @@ Joint read_joint(const TomlSection& section) {
     read_effort(section, "force", Quantity::any("N"), joint.coordinates.data() + angles, 1);
   read_stops(section, joint);
   read_motions(section, joint);
+  if (joint.kind == JointKind::bushing) hold_directions(joint);
   if (const Fault fault = find_fault(joint)) section.fail_at(fault.path, fault.text);
   return joint;
 }

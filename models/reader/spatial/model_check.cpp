@@ -27,6 +27,32 @@ void check_each(const std::string& key, const Items& items, const Find& find) {
   for (const auto& item : items) require(find(item).within(key + '.' + std::to_string(++number)));
 }
 
+/// Checks that the support and its tree are given together.
+void check_support(const Model& model) {
+  for (std::size_t i = 0; i < model.subsystems.size(); ++i) {
+    const bool is_last = i + 1 == model.subsystems.size();
+    if (model.subsystems[i].name != kSupportName || (model.support && is_last)) continue;
+    require({"subsystem." + std::to_string(i + 1) + ".name",
+             "is \"support\", which is the name of the support's tree, the last of the subsystems; "
+             "expected another one"});
+  }
+  if (!model.support) return;
+  if (model.subsystems.empty() || model.subsystems.back().name != kSupportName)
+    require({"support",
+             "has no tree, expected one by the name \"support\" as the last of the subsystems"});
+  require(find_carried_fault(model));
+  require(find_fault(*model.support, model.subsystems.back()).within("support"));
+}
+
+/// Checks a subsystem, whose name is to be unlike those before it, and its loops.
+Fault find_tree_fault(const Subsystem& subsystem, const Model& model,
+                      std::set<std::string>& names) {
+  if (!names.insert(subsystem.name).second)
+    return {"name", "is \"" + subsystem.name + "\" as another subsystem's, expected its own"};
+  if (const Fault fault = find_fault(subsystem, base_of(subsystem, model))) return fault;
+  return find_fault(subsystem.loops, surroundings_of(subsystem, model));
+}
+
 }  // namespace
 
 void read_meshes(Model& model) {
@@ -34,8 +60,7 @@ void read_meshes(Model& model) {
     for (std::size_t j = 0; j < model.subsystems[i].bodies.size(); ++j) {
       auto* solid = std::get_if<SolidBody>(&model.subsystems[i].bodies[j].shape);
       if (!solid) continue;
-      const std::string key =
-          "subsystem." + std::to_string(i + 1) + ".body." + std::to_string(j + 1);
+      const std::string key = key_of_subsystem(model, i) + ".body." + std::to_string(j + 1);
       require(find_description_fault(*solid).within(key));
       try {
         solid::keep_geometry(*solid);
@@ -48,23 +73,20 @@ void read_meshes(Model& model) {
 
 void check_model(const Model& model) {
   require(find_fault(model.hub).within("hub"));
+  check_support(model);
   std::vector<Anchor> anchors;
   check_each("anchor", model.anchors, [&](const Anchor& anchor) {
-    const Fault fault = find_fault(anchor, anchors, model.hub.support, false);
+    const Fault fault = find_fault(anchor, anchors, find_mount_fault(model), false);
     anchors.push_back(anchor);
     return fault;
   });
-  const auto of_loops = [&](const Fault& fault, const auto& item) {
-    return fault ? fault : find_fault(item.loops, surroundings_of(item, model));
-  };
-  check_each("blades", model.blades,
-             [&](const Blade& blade) { return of_loops(find_fault(blade), blade); });
-  std::set<std::string> names;
-  check_each("subsystem", model.subsystems, [&](const Subsystem& subsystem) -> Fault {
-    if (!names.insert(subsystem.name).second)
-      return {"name", "is \"" + subsystem.name + "\" as another subsystem's, expected its own"};
-    return of_loops(find_fault(subsystem), subsystem);
+  check_each("blades", model.blades, [&](const Blade& blade) {
+    const Fault fault = find_fault(blade);
+    return fault ? fault : find_fault(blade.loops, surroundings_of(blade, model));
   });
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < model.subsystems.size(); ++i)
+    require(find_tree_fault(model.subsystems[i], model, names).within(key_of_subsystem(model, i)));
   if (model.blades.empty() && model.subsystems.empty() && !moves_alone(model.hub))
     require({"blades", "there are none, and no subsystem; expected one or more"});
   require({"blades", find_size_fault(model)});

@@ -3,6 +3,7 @@
 #include "models/reader/spatial/model_json.h"
 
 #include <string_view>
+#include <utility>
 
 #include "models/reader/damping.h"
 #include "models/reader/drive_json.h"
@@ -109,9 +110,7 @@ Json to_json(const Body& body) {
   return json;
 }
 
-Json to_json(const Subsystem& subsystem, const Model& model) {
-  Json json = {{"name", subsystem.name}};
-  visit_fields(subsystem, FieldWriter{json});
+void add_tree(const Subsystem& subsystem, const Model& model, Json& json) {
   for (const Body& body : subsystem.bodies) json.append("body", to_json(body));
   for (const SubsystemJoint& joint : subsystem.joints) {
     Json table = {{"parent", joint.parent}, {"child", joint.child}};
@@ -121,6 +120,28 @@ Json to_json(const Subsystem& subsystem, const Model& model) {
     json.append("joint", table);
   }
   add_loops(subsystem.loops, surroundings_of(subsystem, model), json);
+}
+
+Json to_json(const Subsystem& subsystem, const Model& model) {
+  Json json = {{"name", subsystem.name}};
+  visit_fields(subsystem, FieldWriter{json});
+  add_tree(subsystem, model, json);
+  return json;
+}
+
+Json to_json(const Support& support, const Subsystem& tree, const Model& model) {
+  Json json = {{"from", name_of(support.from)}};
+  if (support.from == SupportBase::free) {
+    visit_fields(support.fuselage, FieldWriter{json});
+    json.set("inertia", inertia_to_json(support.fuselage.inertia));
+  }
+  add_tree(tree, model, json);
+  const Axle& axle = support.axle;
+  Json axle_json = {{"body", axle.body.empty() ? base_name(support.from) : axle.body}};
+  if (axle.station) axle_json.set("station", *axle.station);
+  if (!axle.interface.empty()) axle_json.set("interface", axle.interface);
+  visit_fields(axle, FieldWriter{axle_json});
+  json.set("axle", std::move(axle_json));
   return json;
 }
 
@@ -181,7 +202,10 @@ void add_model(const Model& model, Json& json) {
   json.set("hub", to_json(model.hub));
   for (const Blade& blade : model.blades) json.append("blades", to_json(blade, model));
   for (const Subsystem& subsystem : model.subsystems)
-    json.append("subsystem", to_json(subsystem, model));
+    if (is_support(model, subsystem))
+      json.set("support", to_json(*model.support, subsystem, model));
+    else
+      json.append("subsystem", to_json(subsystem, model));
   add_anchors(model.anchors, false, json);
   json.set("gravity", {{"acceleration", to_json(model.gravity)}, {"ramp", model.gravity_ramp}});
   json.set("damping", damping_to_json(model.damping));

@@ -2,6 +2,10 @@
 
 #include "models/reader/spatial/model_reader.h"
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 #include "models/reader/blade_choice_reader.h"
 #include "models/reader/loop_reader.h"
 #include "models/reader/scenario_loads.h"
@@ -9,16 +13,19 @@
 #include "models/reader/spatial/body_reader.h"
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/solid_reader.h"
+#include "models/reader/spatial/support_reader.h"
 #include "models/reader/spatial/vector_reader.h"
 #include "models/scenario.h"
 
 namespace spoke::spatial {
 namespace {
 
-Hub read_hub(const TomlSection& root) {
-  const TomlSection section =
-      root.section("hub", {"support", "axis", "radius", "mass", "center", "inertia", "drive",
-                           "mount", "velocity", "angular_velocity"});
+TomlSection hub_section(const TomlSection& root) {
+  return root.section("hub", {"support", "axis", "radius", "mass", "center", "inertia", "drive",
+                              "mount", "suspension", "velocity", "angular_velocity"});
+}
+
+Hub read_hub(const TomlSection& section) {
   Hub hub;
   hub.support = section.choice("support", {HubSupport::axle, HubSupport::free}, hub.support);
   const bool is_free = hub.support == HubSupport::free;
@@ -35,6 +42,27 @@ Hub read_hub(const TomlSection& root) {
   }
   if (const Fault fault = find_fault(hub)) section.fail_at(fault.path, fault.text);
   return hub;
+}
+
+/// Reads what carries the hub's axle, but for the tree of [support].
+void read_support_base(const TomlSection& root, const TomlSection& hub, Model& model) {
+  const bool is_suspended = hub.has("suspension");
+  if (is_suspended && root.has(kSupportName))
+    hub.fail("suspension", "given along with [support], expected only one of them");
+  if (is_suspended)
+    suspend(read_suspension(hub.section("suspension", suspension_keys())), model);
+  else if (root.has(kSupportName))
+    model.support = read_base(support_section(root));
+}
+
+/// Reads the trees of bodies that are no blades; that of the support is the last.
+void read_trees(const TomlSection& root, const std::string& folder, Model& model) {
+  std::vector<Subsystem> suspension = std::move(model.subsystems);
+  model.subsystems = read_subsystems(root, model, folder);
+  std::move(suspension.begin(), suspension.end(), std::back_inserter(model.subsystems));
+  if (root.has(kSupportName)) read_support_tree(support_section(root), folder, model);
+  if (!model.support) return;
+  if (const Fault fault = find_carried_fault(model)) root.fail_at(fault.path, fault.text);
 }
 
 LoadPlace read_place(const TomlSection& section, const Model& model) {
@@ -131,10 +159,12 @@ void read_hub_loads(const TomlSection& root, Model& model) {
 
 Model read_model(const TomlSection& root, const std::string& folder) {
   Model model;
-  model.hub = read_hub(root);
-  model.anchors = read_anchors(root, model.hub.support, false);
+  const TomlSection hub = hub_section(root);
+  model.hub = read_hub(hub);
+  read_support_base(root, hub, model);
+  model.anchors = read_anchors(root, find_mount_fault(model), false);
   model.blades = read_blades(root, model);
-  model.subsystems = read_subsystems(root, model, folder);
+  read_trees(root, folder, model);
   if (model.blades.empty() && model.subsystems.empty() && !moves_alone(model.hub))
     root.fail("blade", "is missing, expected [blade], [[blades]] or [[subsystem]]");
   const std::string size_fault = find_size_fault(model);

@@ -62,6 +62,7 @@ Fault find_body_fault(const Sensor& sensor, const Model& model) {
                         "\", expected the subsystem alone"};
   }
   for (const Body& body : found->bodies) bodies.push_back(body.name);
+  if (is_support(model, *found)) bodies.push_back("hub");
   if (sensor.body.empty()) return {"body", "is missing, expected the name of one of the subsystem"};
   if (std::find(bodies.begin(), bodies.end(), sensor.body) == bodies.end())
     return {"body", describe_unknown(sensor.body, bodies)};

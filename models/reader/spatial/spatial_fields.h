@@ -27,6 +27,9 @@ struct CoordinateUnits {
 };
 inline constexpr CoordinateUnits kAngleUnits{"rad", "rad/s", "N m", "N m/rad", "N m s/rad"};
 inline constexpr CoordinateUnits kWayUnits{"m", "m/s", "N", "N/m", "N s/m"};
+/// Of the six coordinates of a bushing together, as a file has them.
+inline constexpr CoordinateUnits kBushingUnits{"m, rad", "m/s, rad/s", "N, N m", "N/m, N m/rad",
+                                               "N s/m, N m s/rad"};
 
 inline const CoordinateUnits& units_of(JointKind kind, int coordinate) {
   return slides(kind, coordinate) ? kWayUnits : kAngleUnits;
@@ -82,6 +85,28 @@ template <PerhapsConst<RigidBody> R, class Visit>
 void visit_fields(R& body, const Visit& visit) {
   visit("mass", body.mass, Quantity::positive("kg"), Presence::required);
   visit("center", body.center, kLength, Presence::optional);
+}
+
+template <PerhapsConst<Suspension> S, class Visit>
+void visit_fields(S& suspension, const Visit& visit) {
+  visit("mass", suspension.mass, Quantity::positive("kg"), Presence::required);
+  visit("center", suspension.center, kLength, Presence::optional);
+}
+
+template <PerhapsConst<Fuselage> F, class Visit>
+void visit_fields(F& fuselage, const Visit& visit) {
+  visit("mass", fuselage.mass, Quantity::positive("kg"), Presence::required);
+  visit("center", fuselage.center, kLength, Presence::optional);
+  visit("position", fuselage.position, kLength, Presence::optional);
+  visit("attitude", fuselage.attitude, kAngle, Presence::optional);
+  visit("velocity", fuselage.velocity, kVelocity, Presence::optional);
+  visit("angular_velocity", fuselage.angular_velocity, kSpeed, Presence::optional);
+}
+
+template <PerhapsConst<Axle> A, class Visit>
+void visit_fields(A& axle, const Visit& visit) {
+  visit("offset", axle.offset, kLength, Presence::optional);
+  visit("orientation", axle.orientation, kAngle, Presence::optional);
 }
 
 inline constexpr Quantity kTraction = Quantity::any("Pa");

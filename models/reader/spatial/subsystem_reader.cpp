@@ -71,25 +71,11 @@ Body read_body(const TomlSection& section, const Around& around, const Subsystem
   return body;
 }
 
-/// Reads the place on the parent: "station", or "node" counted from the root of a beam.
-std::optional<double> read_station(const TomlSection& section, const Subsystem& subsystem,
-                                   const std::string& parent) {
-  if (!section.has("node"))
-    return section.has("station") ? std::optional(section.number("station", kStation))
-                                  : std::nullopt;
-  if (section.has("station")) section.fail("node", "given along with station, expected only one");
-  for (const Body& body : subsystem.bodies) {
-    const auto* beam = std::get_if<Beam>(&body.shape);
-    if (body.name != parent || beam == nullptr) continue;
-    const int nodes = beam->bodies * beam->elements;
-    return beam->length * section.integer("node", {0, nodes}) / nodes;
-  }
-  section.fail("node", "would be ignored, expected only on a parent that is a beam: give offset");
-}
-
-SubsystemJoint read_subsystem_joint(const TomlSection& section, const Subsystem& subsystem) {
+SubsystemJoint read_subsystem_joint(const TomlSection& section, const Subsystem& subsystem,
+                                    const TreeBase& base) {
   SubsystemJoint joint;
-  joint.parent = read_name(section, "parent");
+  joint.parent = base.is_support ? section.text("parent", std::string(base.name))
+                                 : read_name(section, "parent");
   joint.child = read_name(section, "child");
   joint.station = read_station(section, subsystem, joint.parent);
   joint.interface = section.text("interface", "");
@@ -97,22 +83,22 @@ SubsystemJoint read_subsystem_joint(const TomlSection& section, const Subsystem&
   return joint;
 }
 
-Subsystem read_subsystem(const TomlSection& section, const Model& model, const Around& around) {
+TomlSection::Keys all_body_keys() {
   TomlSection::Keys body_keys = beam_keys();
   body_keys.insert(body_keys.end(), {"name", "kind"});
   for (const TomlSection::Keys& others : {rigid_keys(), solid_keys()})
     body_keys.insert(body_keys.end(), others.begin(), others.end());
-  TomlSection::Keys keys = joint_keys();
-  keys.insert(keys.end(), {"parent", "child", "station", "node", "interface"});
+  return body_keys;
+}
+
+Subsystem read_subsystem(const TomlSection& section, const Model& model, const std::string& folder,
+                         const std::vector<Subsystem>& before) {
   Subsystem subsystem;
   subsystem.name = read_name(section, "name");
   visit_fields(subsystem, FieldReader{section});
-  for (const TomlSection& table : section.sections("body", body_keys))
-    subsystem.bodies.push_back(read_body(table, around, subsystem));
-  for (const TomlSection& table : section.sections("joint", keys))
-    subsystem.joints.push_back(read_subsystem_joint(table, subsystem));
-  if (const Fault fault = find_fault(subsystem)) section.fail_at(fault.path, fault.text);
-  subsystem.loops = read_loops(section, surroundings_of(subsystem, model));
+  if (subsystem.name == kSupportName)
+    section.fail("name", "is \"support\", which is the name of [support]; expected another one");
+  read_tree(section, model, folder, before, subsystem);
   return subsystem;
 }
 
@@ -134,17 +120,49 @@ std::vector<Subsystem> copy(const TomlSection& section, const Subsystem& subsyst
 
 /// Returns the tables of subsystems.
 std::vector<TomlSection> find_tables(const TomlSection& root) {
-  return root.sections("subsystem", {"name", "azimuth", "count", "body", "joint", "loop"});
+  TomlSection::Keys keys = tree_keys();
+  keys.insert(keys.begin(), {"name", "azimuth", "count"});
+  return root.sections("subsystem", keys);
 }
 
 }  // namespace
+
+TomlSection::Keys tree_keys() { return {"body", "joint", "loop"}; }
+
+std::optional<double> read_station(const TomlSection& section, const Subsystem& tree,
+                                   const std::string& body) {
+  if (!section.has("node"))
+    return section.has("station") ? std::optional(section.number("station", kStation))
+                                  : std::nullopt;
+  if (section.has("station")) section.fail("node", "given along with station, expected only one");
+  for (const Body& carrier : tree.bodies) {
+    const auto* beam = std::get_if<Beam>(&carrier.shape);
+    if (carrier.name != body || beam == nullptr) continue;
+    const int nodes = beam->bodies * beam->elements;
+    return beam->length * section.integer("node", {0, nodes}) / nodes;
+  }
+  section.fail("node", "would be ignored, expected only on a parent that is a beam: give offset");
+}
+
+void read_tree(const TomlSection& section, const Model& model, const std::string& folder,
+               const std::vector<Subsystem>& before, Subsystem& tree) {
+  TomlSection::Keys keys = joint_keys();
+  keys.insert(keys.end(), {"parent", "child", "station", "node", "interface"});
+  const TreeBase base = base_of(tree, model);
+  for (const TomlSection& table : section.sections("body", all_body_keys()))
+    tree.bodies.push_back(read_body(table, {folder, before}, tree));
+  for (const TomlSection& table : section.sections("joint", keys))
+    tree.joints.push_back(read_subsystem_joint(table, tree, base));
+  if (const Fault fault = find_fault(tree, base)) section.fail_at(fault.path, fault.text);
+  tree.loops = read_loops(section, surroundings_of(tree, model));
+}
 
 std::vector<Subsystem> read_subsystems(const TomlSection& root, const Model& model,
                                        const std::string& folder) {
   std::vector<Subsystem> subsystems;
   std::set<std::string> names;
   for (const TomlSection& section : find_tables(root)) {
-    const Subsystem read = read_subsystem(section, model, {folder, subsystems});
+    const Subsystem read = read_subsystem(section, model, folder, subsystems);
     for (Subsystem& subsystem : copy(section, read)) {
       if (!names.insert(subsystem.name).second)
         section.fail("name", "is \"" + subsystem.name +

@@ -35,7 +35,7 @@ TEST_CASE("joints of a blade that cannot be are refused") {
            "\"-\" and \".\", 1 to 64 of them"},
           {"kind = \"revolute\"\naxis = [0, -1, 0]", "kind = \"hinge\"\naxis = [0, -1, 0]",
            "f.toml:24:8: blade.joint.1.kind: is \"hinge\", expected \"fixed\", \"revolute\", "
-           "\"universal\", \"spherical\", \"prismatic\" or \"cylindrical\""},
+           "\"universal\", \"spherical\", \"prismatic\", \"cylindrical\" or \"bushing\""},
           {"axis = [0, -1, 0]", "axis = [0, 0, 0]",
            "f.toml:25:8: blade.joint.1.axis: has length 0, expected a direction"},
           {"axis = [0, -1, 0]\n", "",
@@ -177,7 +177,8 @@ TEST_CASE("trees that are none are refused") {
            "or more (N m/rad)"},
           {"stiffness = 4.0", "rest = 1",
            "f.toml:31:8: subsystem.1.joint.2.rest: does not belong to kind \"spherical\", expected "
-           "only with kind \"revolute\", \"universal\", \"prismatic\" or \"cylindrical\""},
+           "only with kind \"revolute\", \"universal\", \"prismatic\", \"cylindrical\" or "
+           \"bushing\""},
           {"stiffness = 4.0", "initial = 0.1",
            "f.toml:31:11: subsystem.1.joint.2.initial: is 0.1, expected an array of 3 numbers "
            "(rad)"},

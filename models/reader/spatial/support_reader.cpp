@@ -1,0 +1,88 @@
+// Reads [support] in two steps: blades know that there is one, and its tree comes after theirs.
+
+#include "models/reader/spatial/support_reader.h"
+
+#include <algorithm>
+
+#include "models/reader/spatial/body_reader.h"
+#include "models/reader/spatial/fault.h"
+#include "models/reader/spatial/vector_reader.h"
+
+namespace spoke::spatial {
+namespace {
+
+const TomlSection::Keys kFuselageKeys = {"mass",     "center",   "inertia",         "position",
+                                         "attitude", "velocity", "angular_velocity"};
+
+/// Reads six numbers, one for each direction.
+void read_directions(const TomlSection& section, std::string_view key, std::string_view unit,
+                     std::array<double, 6>& values) {
+  const std::vector<double> read = section.numbers(key, Quantity::not_negative(unit), 6);
+  std::copy(read.begin(), read.end(), values.begin());
+}
+
+/// Reads where the axle stands. What the support stands on may carry it, by its name.
+Axle read_axle(const TomlSection& support, const Subsystem& tree, SupportBase from) {
+  const TomlSection section =
+      support.section("axle", {"body", "station", "node", "interface", "offset", "orientation"});
+  Axle axle;
+  axle.body = section.text("body", "");
+  if (!section.has("body") && !tree.bodies.empty())
+    section.fail("body", "is missing, expected the name of the body that carries the axle");
+  axle.station = read_station(section, tree, axle.body);
+  axle.interface = section.text("interface", "");
+  visit_fields(axle, VectorReader{section});
+  if (from == SupportBase::free && axle.body == base_name(from)) axle.body.clear();
+  return axle;
+}
+
+}  // namespace
+
+TomlSection support_section(const TomlSection& root) {
+  TomlSection::Keys keys = tree_keys();
+  keys.insert(keys.begin(), kFuselageKeys.begin(), kFuselageKeys.end());
+  keys.insert(keys.begin(), "from");
+  keys.push_back("axle");
+  return root.section(kSupportName, keys);
+}
+
+Support read_base(const TomlSection& section) {
+  Support support;
+  support.from =
+      section.choice("from", {SupportBase::ground, SupportBase::free}, SupportBase::ground);
+  if (support.from == SupportBase::ground) {
+    for (const std::string_view key : kFuselageKeys)
+      if (section.has(key))
+        section.fail(key, "belongs to a fuselage, expected only with from = \"free\"");
+    return support;
+  }
+  visit_fields(support.fuselage, VectorReader{section});
+  support.fuselage.inertia = read_inertia(section, "inertia", MayBeZero::no);
+  return support;
+}
+
+void read_support_tree(const TomlSection& section, const std::string& folder, Model& model) {
+  Subsystem tree;
+  tree.name = kSupportName;
+  read_tree(section, model, folder, model.subsystems, tree);
+  model.support->axle = read_axle(section, tree, model.support->from);
+  if (const Fault fault = find_fault(*model.support, tree)) section.fail_at(fault.path, fault.text);
+  model.subsystems.push_back(std::move(tree));
+}
+
+TomlSection::Keys suspension_keys() {
+  return {"stiffness", "damping", "mass", "center", "inertia"};
+}
+
+Suspension read_suspension(const TomlSection& section) {
+  Suspension suspension;
+  read_directions(section, "stiffness", kBushingUnits.stiffness, suspension.stiffness);
+  if (section.has("damping"))
+    read_directions(section, "damping", kBushingUnits.damping, suspension.damping);
+  visit_fields(suspension, VectorReader{section});
+  suspension.inertia = read_inertia(section, "inertia", MayBeZero::no);
+  if (const Fault fault = find_fault(suspension)) section.fail_at(fault.path, fault.text);
+  return suspension;
+}
+
+}  // namespace spoke::spatial

@@ -1,0 +1,28 @@
+#pragma once
+
+// Reads what carries the axle of the hub.
+
+#include <string>
+
+#include "models/reader/toml_section.h"
+#include "models/spatial_model.h"
+
+namespace spoke::spatial {
+
+/// Returns the table [support] of a scenario's root.
+TomlSection support_section(const TomlSection& root);
+
+/// Reads what a support stands on, from [support].
+Support read_base(const TomlSection& section);
+
+/// Reads the tree of the model's support, which becomes its last subsystem, and the axle. Meshes
+/// are relative to `folder`.
+void read_support_tree(const TomlSection& section, const std::string& folder, Model& model);
+
+/// Reads [hub.suspension].
+Suspension read_suspension(const TomlSection& section);
+
+/// Returns the keys of [hub.suspension].
+TomlSection::Keys suspension_keys();
+
+}  // namespace spoke::spatial
