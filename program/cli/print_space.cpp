@@ -5,6 +5,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -45,7 +46,17 @@ bool continues_beam(const Tree& tree, std::size_t index) {
          own->nodes.front() == parents->nodes.back();
 }
 
+/// Names the directions in which a bushing gives.
+std::string describe_directions(const Joint& joint) {
+  constexpr std::array names{"x", "y", "z", "about x", "about y", "about z"};
+  std::string text;
+  for (std::size_t c = 0; c < names.size(); ++c)
+    if (!joint.coordinates[c].motion) text += (text.empty() ? "" : ", ") + std::string(names[c]);
+  return ", gives in " + text;
+}
+
 std::string describe_coordinates(const Joint& joint) {
+  if (joint.kind == spatial::JointKind::bushing) return describe_directions(joint);
   std::string text;
   for (int i = 0; i < count_coordinates(joint.kind); ++i) {
     const spatial::JointCoordinate& coordinate = joint.coordinates[static_cast<std::size_t>(i)];
@@ -124,9 +135,9 @@ Part describe_part(const Tree& tree, std::size_t first) {
                                    counted(static_cast<std::int64_t>(elements), "element"))};
 }
 
-/// Names the hub or the body that a body is joined to.
-std::string describe_parent(const Tree& tree, const TreeBody& body) {
-  if (body.parent < 0) return "the hub";
+/// Names the body that a body is joined to, or the base of the tree.
+std::string describe_parent(const Tree& tree, const TreeBody& body, const std::string& base) {
+  if (body.parent < 0) return base;
   const TreeBody& parent = tree.bodies[static_cast<std::size_t>(body.parent)];
   if (const auto* solid = std::get_if<spatial::SolidPart>(&parent.shape))
     return parent.name + " at " + solid->body().interfaces[body.parent_node].name;
@@ -136,8 +147,8 @@ std::string describe_parent(const Tree& tree, const TreeBody& body) {
 }
 
 /// Returns a line for each body or part of a beam with its parent and its joint, indented by the
-/// joints between it and the hub.
-std::vector<std::string> describe(const Tree& tree) {
+/// joints between it and the base.
+std::vector<std::string> describe(const Tree& tree, const std::string& base) {
   std::vector<std::string> lines;
   std::vector<std::size_t> depths(tree.bodies.size(), 0);
   for (std::size_t i = 0; i < tree.bodies.size();) {
@@ -146,7 +157,7 @@ std::vector<std::string> describe(const Tree& tree) {
     const Part part = describe_part(tree, i);
     for (std::size_t k = 1; k < part.bodies; ++k) depths[i + k] = depths[i];
     lines.push_back(fmt::format("{}{}, on {}: {}", std::string(2 * depths[i], ' '), part.text,
-                                describe_parent(tree, body), describe(body.joint)));
+                                describe_parent(tree, body, base), describe(body.joint)));
     for (const std::string& line : part.further)
       lines.push_back(std::string(2 * depths[i] + 4, ' ') + line);
     i += part.bodies;
@@ -197,12 +208,17 @@ void print_sizes(const std::vector<Tree>& trees) {
 }  // namespace
 
 void print_space(const spatial::Model& model) {
-  const std::vector<Tree> trees = build_trees(model);
+  std::vector<Tree> trees = build_trees(model);
+  // The hub, which stands at the end of a support, is the rotor's.
+  const bool has_support = model.support.has_value();
+  const std::string ground =
+      has_support ? "the " + std::string(base_name(model.support->from)) : "";
   print_sizes(trees);
   std::vector<std::string> before;
   std::string example;
   for (const Tree& tree : trees) {
-    std::vector<std::string> lines = describe(tree);
+    const bool is_support = has_support && &tree == &trees.back();
+    std::vector<std::string> lines = describe(tree, is_support ? ground : "the hub");
     for (std::string& line : describe(seen_from_root(tree), "its root"))
       lines.push_back(std::move(line));
     if (lines == before) {
@@ -213,7 +229,9 @@ void print_space(const spatial::Model& model) {
     before = std::move(lines);
     example = tree.name;
   }
-  print_lines("all", describe(calc_mass_properties(model.hub, trees), "the hub's origin"));
+  if (has_support) trees.pop_back();
+  print_lines(has_support ? "rotor" : "all",
+              describe(calc_mass_properties(model.hub, trees), "the hub's origin"));
 }
 
 }  // namespace spoke::cli

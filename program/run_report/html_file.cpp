@@ -116,6 +116,10 @@ int count_elements(const Simulation& simulation) {
 }
 
 std::string describe_hub(const Scenario& scenario) {
+  if (scenario.space && scenario.space->support)
+    return scenario.space->support->from == spatial::SupportBase::free
+               ? "on a fuselage that is free in space"
+               : "on a support";
   if (scenario.space)
     return scenario.space->hub.support == HubSupport::free ? "free in space" : "on an axle";
   return scenario.rotor.hub.support == HubSupport::free ? "free in the plane" : "on an axle";

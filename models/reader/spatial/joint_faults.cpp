@@ -123,9 +123,10 @@ Fault find_bushing_fault(const Joint& joint) {
     moves = moves || !joint.coordinates[i].motion;
   }
   if (!moves)
-    first.add({"stiffness",
-               "and damping are 0 in all directions, so that the bushing holds them all; expected "
-               "one that moves, or kind \"fixed\""});
+    first.add(
+        {"stiffness",
+         "is 0, as damping is, in all directions, so that the bushing holds them all; expected "
+         "one that moves, or kind \"fixed\""});
   return first.found();
 }
 

@@ -82,7 +82,7 @@ Fault find_fault(const Suspension& suspension) {
   if (!moves)
     first.add(
         {"stiffness",
-         "and damping are 0 in all directions, which are held then; expected one that moves"});
+         "is 0, as damping is, in all directions, which are held then; expected one that moves"});
   visit_fields(suspension, first);
   first.add(find_inertia_fault("inertia", suspension.inertia, MayBeZero::no));
   return first.found();

@@ -178,7 +178,7 @@ TEST_CASE("trees that are none are refused") {
           {"stiffness = 4.0", "rest = 1",
            "f.toml:31:8: subsystem.1.joint.2.rest: does not belong to kind \"spherical\", expected "
            "only with kind \"revolute\", \"universal\", \"prismatic\", \"cylindrical\" or "
-           \"bushing\""},
+           "\"bushing\""},
           {"stiffness = 4.0", "initial = 0.1",
            "f.toml:31:11: subsystem.1.joint.2.initial: is 0.1, expected an array of 3 numbers "
            "(rad)"},
