@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <utility>
 
 #include "engine/vibration/coupled_roots.h"
@@ -16,16 +17,18 @@ namespace {
 using Eigen::Index;
 using steady::LinearModel;
 
+/// Returns how many roots of a pencil to look at.
+using Choose = std::function<Index(Index)>;
+
 std::vector<Root> find_lowest(const LinearModel& linear, const std::vector<double>& azimuths,
-                              Index count) {
+                              const Choose& choose) {
   if (linear.is_coupled())
-    return find_coupled_roots(linear, azimuths, std::min(count, Pencil(linear).size()));
+    return find_coupled_roots(linear, azimuths, choose(Pencil(linear).size()));
   std::vector<Root> all;
   for (std::size_t i = 0; i < linear.alike.size(); ++i) {
     if (linear.alike[i] != i || linear.subsystem(i).M.rows() == 0) continue;
     const Pencil pencil(linear, {i});
-    for (Root& root : find_roots(pencil, std::min(count, pencil.size())))
-      all.push_back(std::move(root));
+    for (Root& root : find_roots(pencil, choose(pencil.size()))) all.push_back(std::move(root));
   }
   return all;
 }
@@ -63,7 +66,9 @@ LinearModel without_velocities(LinearModel linear) {
 Stability assess_stability(const LinearModel& linear, const std::vector<double>& azimuths,
                            int count) {
   Stability found;
-  for (const Root& root : find_lowest(without_velocities(linear), azimuths, count)) {
+  // Of the stiffest quarter round-off may turn the sign.
+  const auto softer = [count](Index size) { return std::min<Index>(count, size - size / 4); };
+  for (const Root& root : find_lowest(without_velocities(linear), azimuths, softer)) {
     const double square = std::norm(root.s);
     if (root.s.imag() == 0.0 && root.s.real() >= 0.0) ++found.unheld;
     if (square == 0.0) {
@@ -73,7 +78,8 @@ Stability assess_stability(const LinearModel& linear, const std::vector<double>&
     found.stiffest = std::max(found.stiffest, square);
     found.softest = found.softest == 0.0 ? square : std::min(found.softest, square);
   }
-  const std::vector<Root> roots = find_lowest(linear, azimuths, count);
+  const std::vector<Root> roots =
+      find_lowest(linear, azimuths, [count](Index size) { return std::min<Index>(count, size); });
   const double slowest = find_slowest(roots);
   for (const Root& root : roots) {
     if (!(root.s.real() > 0.0) || is_too_fast(root, slowest)) continue;

@@ -13,7 +13,7 @@ namespace spoke::vibration {
 /// What the lowest roots of a linear model say.
 struct Stability {
   /// Number of motions that nothing holds, or that are pushed away: x^T K x is zero to round-off,
-  /// or negative, by the eigenvalues of K against M.
+  /// or negative, by the eigenvalues of K against M, but for the stiffest quarter.
   std::size_t unheld = 0;
   std::size_t rigid = 0;         ///< those among them whose stiffness is zero to round-off
   double softest = 0.0;          ///< the least magnitude of such an eigenvalue but zero [1/s^2]
