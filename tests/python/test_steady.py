@@ -99,6 +99,22 @@ def test_a_campbell_diagram_follows_modes():
         spoke.campbell(ROTOR, [1.0, 0.5])
 
 
+def test_a_critical_load_is_that_of_euler():
+    column = {"blade.count": 1, "load": [{"name": "push", "force": [-1.0, 0.0]}]}
+    found = spoke.critical(ROTOR, "load=push", 0.0, 40.0, set=column, speed=0.0, points=4, count=2)
+    assert found.kind == "buckling"
+    assert found.value == pytest.approx(21.8343, abs=1e-3)
+    assert (found.name, found.frequency) == ("lag 1", 0.0)
+    assert found.mode.grows
+    assert found.value in found.values and len(found.states) == len(found.values)
+    assert repr(found).startswith("<spoke.Critical buckling at a factor of the load push of 21.83")
+    assert found._repr_html_().startswith("<iframe")
+    stable = spoke.critical(ROTOR, "speed", 0.0, 4.0, points=3, count=2)
+    assert stable.value is None and stable.mode is None
+    with pytest.raises(spoke.InputError):
+        spoke.critical(ROTOR, "load=push", 0.0, 1.0)
+
+
 def test_an_interrupt_ends_a_campbell_diagram():
     speeds = np.linspace(0.0, 4.0, 20000)
     threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
