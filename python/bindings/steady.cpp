@@ -418,6 +418,14 @@ std::vector<std::shared_ptr<Modes>> critical_states(const Critical& critical) {
   return states;
 }
 
+/// Returns the critical mode, if there is one.
+std::optional<OneMode> critical_mode(const Critical& critical) {
+  const std::optional<CriticalPoint>& point = critical.result.critical;
+  if (!point || !point->mode) return std::nullopt;
+  return OneMode{std::make_shared<Modes>(critical.result.states[point->state], critical.scenario),
+                 *point->mode};
+}
+
 /// Returns a property of the critical point; None where there is none.
 template <class Get>
 auto of_point(Get get) {
@@ -465,13 +473,8 @@ void bind_critical(py::module_& module) {
       .def_property_readonly("of",
                              of_point([](const Critical&, const CriticalPoint& p) { return p.of; }),
                              "Whose the critical mode is: \"blade 1\"; or None.")
-      .def_property_readonly(
-          "mode", of_point([](const Critical& c, const CriticalPoint& p) -> py::object {
-            if (!p.mode) return py::none();
-            return py::cast(
-                OneMode{std::make_shared<Modes>(c.result.states[p.state], c.scenario), *p.mode});
-          }),
-          "The critical Mode a millionth beyond; or None.")
+      .def_property_readonly("mode", &critical_mode,
+                             "The critical Mode a millionth beyond; or None.")
       .def_property_readonly(
           "values",
           [](const Critical& critical) {
