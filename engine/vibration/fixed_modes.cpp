@@ -56,10 +56,6 @@ struct PatternMotion {
   std::string name;
 };
 
-double calc_mass(const VectorXcd& y, const Eigen::MatrixXd& M) {
-  return y.real().dot(M * y.real()) + y.imag().dot(M * y.imag());
-}
-
 /// Names a pattern that goes round, or at rest may stand. Of n > 0 the pattern moves against the
 /// rotation in the blades' frame, which takes n times the speed from its frequency.
 std::string name_round(const PatternMotion& motion, int multiple, double speed, bool is_cosine) {

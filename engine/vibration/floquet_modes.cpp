@@ -38,10 +38,6 @@ const VectorXcd& strongest(const PeriodicMode& mode) {
       ->amplitude;
 }
 
-double calc_mass(const VectorXcd& x, const Eigen::MatrixXd& M) {
-  return x.real().dot(M * x.real()) + x.imag().dot(M * x.imag());
-}
-
 std::vector<ModeHarmonic> list_harmonics(const PeriodicMode& mode, const PeriodicSystem& system) {
   constexpr double kLeast = 1e-6;
   const Index h = system.hub;

@@ -52,6 +52,11 @@ void set_hub_motion(const Eigen::VectorXcd& x, const steady::SteadyModel& model,
 void add_shape(std::size_t subsystem, const SubsystemShape& shape, steady::SteadyModel& model,
                Mode& mode);
 
+/// Returns x^H M x of a motion x, real.
+inline double calc_mass(const Eigen::VectorXcd& x, const Eigen::MatrixXd& M) {
+  return x.real().dot(M * x.real()) + x.imag().dot(M * x.imag());
+}
+
 /// Returns the mass of a motion of the hub's coordinates: x^H M x.
 double calc_hub_energy(const Eigen::VectorXcd& hub, const steady::LinearModel& linear);
 

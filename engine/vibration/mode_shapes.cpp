@@ -79,17 +79,17 @@ SubsystemShape calc_subsystem_shape(std::size_t subsystem, const VectorXd& q, co
   const std::vector<NodeMotion> real = move(subsystem, q, x.real(), model);
   const std::vector<NodeMotion> imag = move(subsystem, q, x.imag(), model);
   const std::vector<NodePlace> places = places_at(subsystem, q, model);
-  constexpr std::complex<double> kI(0.0, 1.0);
+  constexpr std::complex<double> i(0.0, 1.0);
   SubsystemShape shape;
   for (VectorXcd& motion : shape.motions) motion.resize(std::ssize(places));
   for (std::size_t k = 0; k < places.size(); ++k) {
     const auto at = static_cast<Eigen::Index>(k);
     shape.bodies.push_back(places[k].body);
-    shape.nodes.push_back(real[k].p + kI * imag[k].p);
-    shape.rotations.push_back(real[k].rotation + kI * imag[k].rotation);
+    shape.nodes.push_back(real[k].p + i * imag[k].p);
+    shape.rotations.push_back(real[k].rotation + i * imag[k].rotation);
     const Eigen::Matrix3d to_root = model.root_axes(subsystem, places[k].body).transpose();
     const Eigen::Vector3cd centre =
-        to_root.cast<std::complex<double>>() * (real[k].centre + kI * imag[k].centre);
+        to_root.cast<std::complex<double>>() * (real[k].centre + i * imag[k].centre);
     const std::complex<double> twist =
         to_root.row(0).cast<std::complex<double>>() * shape.rotations.back();
     for (std::size_t c = 0; c < 3; ++c)
