@@ -134,7 +134,34 @@ std::vector<Harmonic> list_harmonics(const Turn& turn, Index column, Complex exp
   return harmonics;
 }
 
-/// Returns the mode of a multiplier; none if the conjugate one stands for it.
+/// Whether the samples resolve a motion: otherwise its rates are faster than those of its
+/// harmonics, which then are those of a slower motion.
+bool is_resolved(const Turn& turn, Index column, Complex exponent,
+                 const std::vector<Harmonic>& harmonics, const PeriodicSystem& system) {
+  const Index n = system.size();
+  const VectorXcd start = turn.eigen.vectors.col(column);
+  const auto mass_of = [&](const VectorXcd& x) {
+    return x.real().dot(system.M.parts[0] * x.real()) + x.imag().dot(system.M.parts[0] * x.imag());
+  };
+  double of_place = 0.0, of_rate = 0.0;
+  for (Index k = 0; k + 1 < std::ssize(turn.states); ++k) {
+    const VectorXcd state = turn.states[static_cast<std::size_t>(k)].cast<Complex>() * start;
+    const double grown =
+        std::exp(-2.0 * exponent.real() * kCircle / std::abs(system.speed) *
+                 static_cast<double>(k) / static_cast<double>(std::ssize(turn.states) - 1));
+    of_place += grown * mass_of(state.head(n));
+    of_rate += grown * mass_of(state.tail(n));
+  }
+  double expected = 0.0;
+  for (const Harmonic& harmonic : harmonics)
+    expected += harmonic.share *
+                std::norm(exponent + Complex(0.0, harmonic.multiple * std::abs(system.speed)));
+  const double least = 1e-6 * system.speed * system.speed;  // of what stands
+  return of_rate <= 2.0 * (expected + least) * of_place;
+}
+
+/// Returns the mode of a multiplier; none if the conjugate one stands for it, or if
+/// it is too fast.
 std::vector<PeriodicMode> describe(const Turn& turn, Index column, const PeriodicSystem& system) {
   constexpr double kEqual = 1e-6, kReal = 1e-10, kLeast = 1e-14;
   const double w = std::abs(system.speed), period = kCircle / w;
@@ -143,6 +170,7 @@ std::vector<PeriodicMode> describe(const Turn& turn, Index column, const Periodi
   if (std::abs(multiplier.imag()) < kReal * std::abs(multiplier)) multiplier.imag(0.0);
   const Complex exponent = std::log(multiplier) / period;
   PeriodicMode mode{exponent, multiplier, list_harmonics(turn, column, exponent, system)};
+  if (!is_resolved(turn, column, exponent, mode.harmonics, system)) return {};
   const auto frequency = [&](const Harmonic& h) { return exponent.imag() + h.multiple * w; };
   const Harmonic* strongest = &mode.harmonics[0];
   for (const Harmonic& harmonic : mode.harmonics) {
