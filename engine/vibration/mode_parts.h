@@ -9,8 +9,8 @@
 #include "engine/modes.h"
 #include "engine/steady/linear_model.h"
 #include "engine/vibration/equal_roots.h"
+#include "engine/vibration/mode_count.h"
 #include "engine/vibration/mode_shapes.h"
-#include "engine/vibration/solve_modes.h"
 
 namespace spoke::vibration {
 

@@ -4,16 +4,10 @@
 
 #include "engine/modes.h"
 #include "engine/steady/linear_model.h"
+#include "engine/vibration/mode_count.h"
 #include "models/scenario.h"
 
 namespace spoke::vibration {
-
-/// Number of modes that are wanted, of each subsystem where subsystems do not couple, in the frame
-/// that turns; else of the whole model.
-struct ModeCount {
-  int least = 0;  ///< solve_modes() throws InputError if there are fewer
-  int most = 10;
-};
 
 /// Names the modes of a linear model, and finds their shapes. `linear`: of `model` at
 /// `equilibrium`, made with `is_axial` but for the turning frame. The result's equilibrium has no

@@ -1,0 +1,14 @@
+#pragma once
+
+// How many modes are wanted.
+
+namespace spoke::vibration {
+
+/// Number of modes that are wanted, of each subsystem where subsystems do not couple, in the frame
+/// that turns; else of the whole model.
+struct ModeCount {
+  int least = 0;  ///< solve_modes() throws InputError if there are fewer
+  int most = 10;
+};
+
+}  // namespace spoke::vibration
