@@ -2,7 +2,6 @@
 
 #include "engine/space/supported_rotor.h"
 
-#include <algorithm>
 #include <cassert>
 
 #include "engine/kernels/kinematics.h"
@@ -43,15 +42,6 @@ void take_angle(const BodyData<Space>& hub, RotorData<Space>& rotor) {
 }
 
 }  // namespace
-
-std::vector<int> find_path(const System<Space>& system, const SupportedRotor& rotor) {
-  std::vector<int> path;
-  const auto& bodies = system.subsystems[static_cast<std::size_t>(rotor.subsystem)].bodies;
-  for (int j = rotor.body; j >= 0; j = bodies[static_cast<std::size_t>(j)].parent)
-    path.push_back(j);
-  std::reverse(path.begin(), path.end());
-  return path;
-}
 
 void place_rotor(const System<Space>& system, std::size_t r, double t, bool is_implicit,
                  StepData<Space>& data) noexcept {

@@ -10,9 +10,6 @@
 
 namespace spoke {
 
-/// Returns the places of its rotor's hub: the bodies from the base to it.
-std::vector<int> find_path(const System<Space>& system, const SupportedRotor& rotor);
-
 /// Sets the motion of a rotor's hub from the support's tree, whose rotations and twists must be
 /// set. `t` [s]; the hub's acceleration is that of the last iterate, and is set only in implicit
 /// passes, `is_implicit`.

@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "engine/space/supported_rotor.h"
+#include "models/system/spatial_system.h"
 
 namespace spoke {
 namespace {

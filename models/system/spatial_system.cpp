@@ -595,6 +595,15 @@ System<Space> make_system(const spatial::Model& model) {
   return make_system(model, build_trees(model));
 }
 
+std::vector<int> find_path(const System<Space>& system, const SupportedRotor& rotor) {
+  std::vector<int> path;
+  const auto& bodies = system.subsystems[static_cast<std::size_t>(rotor.subsystem)].bodies;
+  for (int j = rotor.body; j >= 0; j = bodies[static_cast<std::size_t>(j)].parent)
+    path.push_back(j);
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
 const Drive& drive_of(const System<Space>& system) {
   if (system.rotors.empty()) return system.hub.drive;
   const SupportedRotor& rotor = system.rotors.front();

@@ -21,6 +21,9 @@ System<Space> make_system(const spatial::Model& model, const std::vector<spatial
                           const solid::Control& control = {});
 System<Space> make_system(const spatial::Model& model);
 
+/// Returns the bodies of a support from its base to the hub of a rotor.
+std::vector<int> find_path(const System<Space>& system, const SupportedRotor& rotor);
+
 /// Returns the drive: of the hub, or of the first rotor's axle on a support.
 Drive& drive_of(System<Space>& system);
 const Drive& drive_of(const System<Space>& system);
