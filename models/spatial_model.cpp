@@ -82,6 +82,7 @@ void suspend(const Suspension& suspension, Model& model) {
   joint.child = "carrier";
   joint.joint.name = "suspension";
   joint.joint.kind = JointKind::bushing;
+  joint.joint.coordinates.resize(suspension.stiffness.size());
   for (std::size_t c = 0; c < suspension.stiffness.size(); ++c) {
     JointCoordinate& coordinate = joint.joint.coordinates[c];
     if (!suspension.moves(c)) {

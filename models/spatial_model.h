@@ -198,8 +198,8 @@ struct Joint {
   Vector orientation = Vector::Zero();  ///< rotation vector, parent's frame [rad]
   /// Axes in the joint frame, of any length but zero; the first count_axes(kind) are in use.
   std::array<Vector, 2> axes{Vector::Zero(), Vector::Zero()};
-  /// Coordinates; the first count_coordinates(kind) are in use.
-  std::array<JointCoordinate, 6> coordinates{};
+  /// Coordinates: 3, of a bushing 6; the first count_coordinates(kind) are in use.
+  std::vector<JointCoordinate> coordinates = std::vector<JointCoordinate>(3);
 };
 
 /// A joint of a blade; the part outboard of it is its child.

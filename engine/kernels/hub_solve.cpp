@@ -46,9 +46,9 @@ HubEquation<World> sum_hub_equation(const System<World>& system,
   HubEquation<World> sum;
   sum.mass = calc_hub_mass(system.hub);
   sum.force = calc_hub_force(system.hub, data.hub, data.hub_solution);
-  for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
-    if (system.subsystems[i].rotor >= 0) continue;  // its rotor's hub has it
-    const EffectiveInertia<World>& effective = data.subsystems[i].effective;
+  for (const SubsystemData<World>& subsystem : data.subsystems) {
+    if (subsystem.rotor >= 0) continue;  // its rotor's hub has it
+    const EffectiveInertia<World>& effective = subsystem.effective;
     sum.mass += effective.mass;
     sum.force += effective.force;
     rotary(sum.mass) -= effective.stiffening.inertia;

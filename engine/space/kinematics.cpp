@@ -77,7 +77,7 @@ PrescribedMotion prescribe(const space::DrivenMotion& motion, double t, double p
 /// Returns the angular acceleration of the hub, in its frame.
 Angular calc_hub_angular_acceleration(const System<Space>& system, double t, std::size_t i,
                                       const StepData<Space>& data) {
-  if (const int rotor = system.subsystems[i].rotor; rotor >= 0)
+  if (const int rotor = data.subsystems[i].rotor; rotor >= 0)
     return angular(data.rotors[static_cast<std::size_t>(rotor)].acceleration);
   if (!data.is_coupled) return angular(data.subsystems[i].prescribed.acceleration);
   const CoordinateBlock& hub = data.hub_coordinates;
@@ -120,7 +120,7 @@ Angular calc_section_acceleration(const BodyData<Space>& body, std::size_t handl
 /// Returns the rotation of the hub that carries subsystem `i`, whose angle is the azimuth.
 DriveMotion calc_hub_rotation(const System<Space>& system, double t, std::size_t i,
                               const StepData<Space>& data) {
-  if (const int r = system.subsystems[i].rotor; r >= 0) {
+  if (const int r = data.subsystems[i].rotor; r >= 0) {
     const RotorData<Space>& rotor = data.rotors[static_cast<std::size_t>(r)];
     return {rotor.angle, rotor.speed, rotor.spin_up};
   }

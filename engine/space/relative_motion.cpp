@@ -158,7 +158,7 @@ space::Twist calc_hub_acceleration(const System<Space>& system, std::size_t i,
                                    const StepData<Space>& data, double t) noexcept {
   assert(i < data.subsystems.size());
   if (!data.is_coupled) return data.subsystems[i].prescribed.acceleration;
-  if (const int rotor = system.subsystems[i].rotor; rotor >= 0)
+  if (const int rotor = data.subsystems[i].rotor; rotor >= 0)
     return data.rotors[static_cast<std::size_t>(rotor)].acceleration;
   const double* a = data.hub_coordinates.a;
   const space::Position less_gravity =

@@ -165,6 +165,7 @@ void follow_rotors(const System<Space>& system, StepData<Space>& data) {
     hub.carried = &made.carried;
     for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
       if (system.subsystems[i].rotor != static_cast<int>(r)) continue;
+      data.subsystems[i].rotor = static_cast<int>(r);
       data.subsystems[i].hub = &made.hub;
       data.subsystems[i].hub_acceleration = &hub.X;
     }

@@ -138,6 +138,7 @@ struct alignas(kInterferenceSize) SubsystemData {
   /// StepData::flight_acceleration if the hub flies and its tension depends on it; else null.
   const PositionOf<World>* flight_acceleration = nullptr;
 
+  int rotor = -1;  ///< rotor on a support whose hub carries it; -1: none
   // Progress and hub that the subsystem's nodes follow: the system's if it is coupled, else its
   // own.
   StepProgress* progress = nullptr;

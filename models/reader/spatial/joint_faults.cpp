@@ -118,7 +118,7 @@ Fault find_bushing_fault(const JointCoordinate& coordinate, int index) {
 Fault find_bushing_fault(const Joint& joint) {
   const FirstFault first;
   bool moves = false;
-  for (std::size_t i = 0; i < joint.coordinates.size(); ++i) {
+  for (std::size_t i = 0; i < 6; ++i) {
     first.add(find_bushing_fault(joint.coordinates[i], static_cast<int>(i)));
     moves = moves || !joint.coordinates[i].motion;
   }
@@ -164,6 +164,12 @@ Fault find_fault(const Joint& joint) {
   if (!joint.name.empty()) first.add(find_name_fault(joint.name));
   visit_fields(joint, first);
   first.add(find_axes_fault(joint));
+  const auto count = static_cast<std::size_t>(count_coordinates(joint.kind));
+  if (joint.coordinates.size() < count) {  // only of joints that a program fills in
+    first.add({"coordinates", "has " + std::to_string(joint.coordinates.size()) +
+                                  " entries, expected " + std::to_string(count)});
+    return first.found();
+  }
   if (joint.kind == JointKind::spherical) first.add(find_spherical_fault(joint));
   if (joint.kind == JointKind::bushing) {
     first.add(find_bushing_fault(joint));

@@ -184,6 +184,7 @@ Joint read_joint(const TomlSection& section) {
   Joint joint;
   joint.name = section.text("name", "");
   joint.kind = static_cast<JointKind>(section.choice("kind", kKinds));
+  if (joint.kind == JointKind::bushing) joint.coordinates.resize(6);
   check_kind_keys(section, name_of(joint.kind));
   visit_fields(joint, VectorReader{section});
   read_axes(section, joint);
