@@ -20,11 +20,12 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-const char* const kNames[] = {"andrews_squeezer",  "articulated_rotor", "bricard",
-                              "drone_rotor",       "four_bar",          "heavy_top",
-                              "helicopter_rotor",  "nrel_5mw_rotor",    "satellite_booms",
-                              "solid_blade_rotor", "solid_bracket",     "spatial_wu_haug",
-                              "tree_of_bodies",    "vehicle",           "wu_haug_solid"};
+const char* const kNames[] = {
+    "andrews_squeezer",  "articulated_rotor", "bricard",          "drone_rotor",
+    "four_bar",          "ground_resonance",  "heavy_top",        "helicopter_on_gear",
+    "helicopter_rotor",  "nrel_5mw_rotor",    "nrel_5mw_turbine", "satellite_booms",
+    "solid_blade_rotor", "solid_bracket",     "spatial_wu_haug",  "tree_of_bodies",
+    "vehicle",           "whirl_rotor",       "wu_haug_solid"};
 
 Scenario shipped_in_space(const std::string& name) {
   return read_scenario(std::filesystem::path(SPOKE_MODELS_DIR) / (name + ".toml"));
