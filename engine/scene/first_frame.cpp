@@ -61,19 +61,28 @@ Placement inverse(const Placement& placement) {
   return {-(back * placement.position), back};
 }
 
-/// Adds the motions of the groups of a subsystem, the first of which is `next`.
-void add_motions(const Tree& tree, std::vector<Placement>& groups, std::size_t& next) {
+/// Returns the motions of the bodies of a tree in the frame of what carries it, each from its place
+/// at coordinates of zero.
+std::vector<Placement> calc_motions(const Tree& tree) {
   const std::vector<Placement> places = calc_placements(tree);
   std::vector<Placement> motions;
   for (std::size_t j = 0; j < tree.bodies.size(); ++j) {
     const spatial::TreeBody& body = tree.bodies[j];
     const Placement before =
         body.parent < 0 ? Placement{} : motions[static_cast<std::size_t>(body.parent)];
-    // Motions are in the frame of the hub, from the place of the child at coordinates of zero.
     motions.push_back(before * places[j] * calc_motion(body.joint, tree.azimuth) *
                       inverse(places[j]));
-    if (count_coordinates(body.joint.kind) > 0) groups[next++] = motions.back();
   }
+  return motions;
+}
+
+/// Adds the motions of the groups of a subsystem, the first of which is `next`.
+/// `base`: motion of what carries the subsystem.
+void add_motions(const Tree& tree, const Placement& base, std::vector<Placement>& groups,
+                 std::size_t& next) {
+  const std::vector<Placement> motions = calc_motions(tree);
+  for (std::size_t j = 0; j < tree.bodies.size(); ++j)
+    if (count_coordinates(tree.bodies[j].joint.kind) > 0) groups[next++] = base * motions[j];
 }
 
 /// Returns the pose of the hub, which its mount may have moved.
@@ -82,6 +91,24 @@ HubPose calc_start(const spatial::Hub& hub) {
   at_rest.mount = hub.mount;
   const space::AxleMotion start = calc_axle_motion(at_rest, 0.0);
   return {start.p, start.R.axes};
+}
+
+/// Returns the pose of what a support stands on.
+Placement calc_base(const spatial::Model& model) {
+  if (!model.support) return {};
+  if (model.support->from == spatial::SupportBase::ground) {
+    const HubPose start = calc_start(model.hub);
+    return {start.position, start.rotation};
+  }
+  const spatial::Fuselage& fuselage = model.support->fuselage;
+  return {fuselage.position, space::exponential(fuselage.attitude).axes};
+}
+
+/// Returns the pose of a hub on a support, whose joints stand where they start.
+HubPose find_supported_hub(const spatial::Model& model, const Placement& base, const Tree& tree) {
+  const Placement hub = base * calc_motions(tree).back() * calc_placements(tree).back() *
+                        inverse(rotor_placement(model.hub));
+  return {hub.position, hub.rotation};
 }
 
 }  // namespace
@@ -98,9 +125,21 @@ Frame make_first_frame(const Scenario& scenario, const Scene& scene) {
       frame.groups[static_cast<std::size_t>(carrier.group)] =
           calc_first_place(anchors[static_cast<std::size_t>(carrier.anchor)]);
   if (!scenario.space) return frame;
-  frame.hub = calc_start(scenario.space->hub);
+  const std::vector<Tree> trees = build_trees(*scenario.space);
+  const Placement base = calc_base(*scenario.space);
+  if (scenario.space->support)
+    frame.hub = find_supported_hub(*scenario.space, base, trees.back());
+  else
+    frame.hub = calc_start(scenario.space->hub);
   std::size_t next = 1 + scene.carriers.size();
-  for (const Tree& tree : build_trees(*scenario.space)) add_motions(tree, frame.groups, next);
+  for (std::size_t i = 0; i < trees.size(); ++i) {
+    Placement carrier;
+    if (static_cast<int>(i) == scene.support) {
+      carrier = inverse({frame.hub.position, frame.hub.rotation}) * base;
+      frame.groups[next++] = carrier;
+    }
+    add_motions(trees[i], carrier, frame.groups, next);
+  }
   return frame;
 }
 

@@ -60,18 +60,28 @@ void FrameReader::read_space(const Simulation& simulation, Frame& frame) {
   spatial_shapes_.resize(scene_.subsystems.size());
   for (std::size_t i = 0; i < spatial_shapes_.size(); ++i)
     simulation.calc_shape(static_cast<int>(i), spatial_shapes_[i]);
+  Placement base;  // of a support, in the hub's frame
+  if (scene_.support >= 0) {
+    const HubPose pose = simulation.base_pose();
+    const Tensor to_hub = frame.hub.rotation.transpose();
+    base = {to_hub * (pose.position - frame.hub.position), to_hub * pose.rotation};
+    frame.groups[static_cast<std::size_t>(scene_.base_group)] = base;
+  }
   for (std::size_t k = 0; k < scene_.sources.size(); ++k) {
     const NodeSource& source = scene_.sources[k];
     const TreeNode& node = body_of(source).nodes[static_cast<std::size_t>(source.node)];
-    frame.displacements.push_back(node.displacement);
-    frame.rotations.push_back(node.rotation);
+    const bool is_on_base = source.subsystem == scene_.support;
+    const Tensor turn = is_on_base ? base.rotation : Tensor(Tensor::Identity());
+    frame.displacements.emplace_back(turn * node.displacement);
+    frame.rotations.emplace_back(turn * node.rotation);
     const Node& drawn = scene_.nodes[k];
-    if (drawn.group == 0) continue;
+    if (drawn.group == 0 || drawn.group == scene_.base_group) continue;
     // All nodes of a rigid group show the same motion.
     const Tensor now = space::exponential(node.rotation).axes.transpose() * node.R;
     Placement& group = frame.groups[static_cast<std::size_t>(drawn.group)];
     group.rotation = now * drawn.axes.transpose();
     group.position = node.p - node.displacement - group.rotation * drawn.p;
+    if (is_on_base) group = base * group;
   }
   for (const MeshBody& mesh : scene_.meshes)
     frame.solids.push_back(

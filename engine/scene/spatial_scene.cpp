@@ -171,12 +171,16 @@ class SubsystemScene {
     return name == place.body || name.starts_with(place.body + " / body ");
   }
 
+  /// Returns the group of what carries the tree.
+  int root_group() const { return number_ == scene_.support ? scene_.base_group : 0; }
+
   void add_group(std::size_t j) {
     const TreeBody& body = tree_.bodies[j];
     if (count_coordinates(body.joint.kind) > 0)
       groups_.push_back(scene_.groups++);
     else
-      groups_.push_back(body.parent < 0 ? 0 : groups_[static_cast<std::size_t>(body.parent)]);
+      groups_.push_back(body.parent < 0 ? root_group()
+                                        : groups_[static_cast<std::size_t>(body.parent)]);
   }
   void add_node(std::size_t j, int node, const Vector& p) {
     scene_.nodes.push_back({groups_[j], p, placements_[j].rotation});
@@ -450,6 +454,10 @@ Scene make_spatial_scene(const spatial::Model& model, std::size_t most_nodes,
   Surfaces surfaces(solids, most_nodes, scene);
   std::vector<SubsystemScene> made;
   for (std::size_t i = 0; i < trees.size(); ++i) {
+    if (model.support && i + 1 == trees.size()) {
+      scene.support = static_cast<int>(i);
+      scene.base_group = scene.groups++;
+    }
     made.emplace_back(trees[i], static_cast<int>(i), i < model.blades.size(), stride,
                       rings_per_element(nodes / stride), surfaces, scene);
     made.back().add();

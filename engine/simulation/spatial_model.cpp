@@ -122,6 +122,12 @@ HubPose SpatialModel::hub_pose() const {
   return {hub.p, hub.R.axes * rotor_placement(scenario_.space->hub).rotation.transpose()};
 }
 
+HubPose SpatialModel::base_pose() const {
+  if (context_.data.rotors.empty()) return hub_pose();
+  const HubState<Space> base = calc_hub_state(context_.data);
+  return {base.p, base.R.axes};
+}
+
 MarkerMotion SpatialModel::carrier_frame(int anchor, double t) const {
   MarkerMotion motion = calc_carrier_frame(context_, anchor, t);
   motion.rotation *= rotor_placement(scenario_.space->hub).rotation.transpose();

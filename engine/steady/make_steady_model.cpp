@@ -6,6 +6,7 @@
 #include "engine/step/loop_start.h"
 #include "engine/step/model_memory.h"
 #include "engine/support/memory.h"
+#include "models/error.h"
 #include "models/system/spatial_system.h"
 #include "models/tree/tree.h"
 
@@ -29,6 +30,10 @@ std::unique_ptr<SteadyModel> make_planar(const Scenario& scenario, const SteadyO
 /// Pitch by the azimuth has a mean whether a drive or torque turns the hub.
 std::unique_ptr<SteadyModel> make_spatial(const Scenario& scenario, const SteadyOptions& options) {
   const spatial::Model& model = *scenario.space;
+  if (model.support)
+    throw InputError(
+        "support: equilibria, modes and linear models of a rotor on a support are not there yet, "
+        "expected no [support] and no [hub.suspension]; spoke run takes them");
   const std::vector<spatial::Tree> trees = build_trees(model);
   const auto fill = [&](System<Space>& system) {
     system = make_system(model, trees, {{}, available_memory()});
