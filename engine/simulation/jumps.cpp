@@ -125,7 +125,9 @@ void add_joint_jumps(const spatial::Joint& joint, const std::string& name, doubl
     const auto& motion = joint.coordinates[static_cast<std::size_t>(c)].motion;
     const auto* table = motion ? std::get_if<spatial::MotionTable>(&*motion) : nullptr;
     if (!table) continue;
-    append(find_course_jumps(table->value, name, slides(joint.kind, c) ? "m" : "rad", 0.0, end, step_size), jumps);
+    append(find_course_jumps(table->value, name, slides(joint.kind, c) ? "m" : "rad", 0.0, end,
+                             step_size),
+           jumps);
   }
 }
 

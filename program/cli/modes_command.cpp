@@ -26,7 +26,8 @@ void print(const ModesResult& result, const SteadyTask& task) {
 int find_modes(const Arguments& arguments) {
   const SteadyTask task(arguments, "modes");
   const ModesResult result = task.solve([&](const Scenario& scenario) {
-    return solve_modes(scenario, {{arguments.steady.speed}, arguments.steady.count, arguments.steady.frame});
+    return solve_modes(scenario,
+                       {{arguments.steady.speed}, arguments.steady.count, arguments.steady.frame});
   });
   task.write({{"modes.json", steady_report::make_json(result)},
               {"modes.csv", steady_report::make_csv(result)},

@@ -181,7 +181,8 @@ TEST_CASE("bad tables of loads per length are refused") {
        "(N/m)"},
       {"[[distributed_load]]\nforce=[0,1]",
        "f.toml:16:1: distributed_load.1.force: unknown key, expected \"from\", \"to\", \"frame\", "
-       "\"force_per_length\", \"moment_per_length\", \"blade\", \"name\", \"ramp\", \"time\" or \"factor\""},
+       "\"force_per_length\", \"moment_per_length\", \"blade\", \"name\", \"ramp\", \"time\" or "
+       "\"factor\""},
       {"[[distributed_load]]\nforce_per_length=[0,1]\nfrom=9",
        "f.toml:17:6: distributed_load.1.from: is 9, expected a number from 0 to 8 (m, from root to "
        "tip of the blade)"},
@@ -212,7 +213,8 @@ TEST_CASE("bad tables of loads per length are refused") {
        "f.toml:16:19: distributed_load.1.moment_per_length: is nan, expected a finite number (N)"},
       {"[[distributed_load]]\nforce_per_length=[0,1]\nposition=3",
        "f.toml:17:1: distributed_load.1.position: unknown key, expected \"from\", \"to\", "
-       "\"frame\", \"force_per_length\", \"moment_per_length\", \"blade\", \"name\", \"ramp\", \"time\" or "
+       "\"frame\", \"force_per_length\", \"moment_per_length\", \"blade\", \"name\", \"ramp\", "
+       "\"time\" or "
        "\"factor\""},
       {"[[distributed_load]]\nforce_per_length=[0,1]\nfactor=[1,2]",
        "f.toml:15:1: distributed_load.1.time: is missing, expected an array of numbers (s)"},
@@ -277,10 +279,12 @@ TEST_CASE("bad tables of loads on the hub are refused") {
       {"[[hub_load]]\nforce=[1,0]\nposition=1",
        "f.toml:17:10: hub_load.1.position: is 1, expected an array of 2 numbers (m)"},
       {"[[hub_load]]\nmoment=2",
-       "f.toml:16:1: hub_load.1.moment: unknown key, expected \"name\", \"position\", \"frame\", \"force\", "
+       "f.toml:16:1: hub_load.1.moment: unknown key, expected \"name\", \"position\", \"frame\", "
+       "\"force\", "
        "\"torque\", \"ramp\", \"time\" or \"factor\""},
       {"[[hub_load]]\ntorque=2\nblade=1",
-       "f.toml:17:1: hub_load.1.blade: unknown key, expected \"name\", \"position\", \"frame\", \"force\", "
+       "f.toml:17:1: hub_load.1.blade: unknown key, expected \"name\", \"position\", \"frame\", "
+       "\"force\", "
        "\"torque\", \"ramp\", \"time\" or \"factor\""},
       {"[[hub_load]]\ntorque=2\nramp=-0.1",
        "f.toml:17:6: hub_load.1.ramp: is -0.1, expected a number of 0 or more (s)"},

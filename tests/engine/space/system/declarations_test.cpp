@@ -42,6 +42,9 @@ std::vector<Case> all_cases() {
       {"blades, turned", make_text(kTurnedHub, kBooms + kHinges, kRisingGravity + kHubLoads)},
       {"tree, free", make_text(kFlyingHub, kTree + kMotors, kGravity + kDamping + kHubLoads)},
       {"forest, turned", make_text(kTurnedHub, kForest, kGravity + kDamping)},
+      {"blades on a tower",
+       make_text(kTurnedHub, kBooms + kHinges + kPitch, kTower + kRisingGravity + kHubLoads)},
+      {"blades on a fuselage", make_text(kFuselageHub, kBooms + kHinges, kDamping + kHubLoads)},
       {"motors, driven",
        make_text(kDrivenHub, kMotors + kTree + kForest, kRisingGravity + kDamping)}};
   for (const auto& [name, text] : models) {

@@ -360,4 +360,57 @@ inline Scenario make_scenario(const std::string& text, double step, double durat
   return scenario;
 }
 
+/// A hub and a fuselage that are one rigid body.
+inline const std::string kFuselageHub = R"(
+[hub]
+mass = 1.0
+inertia = [0.1, 0.2, 0.3]
+[hub.drive]
+kind = "fixed"
+[support]
+from = "free"
+mass = 2.0
+inertia = [0.3, 0.3, 0.3]
+velocity = [0.3, -0.2, 0.5]
+angular_velocity = [1.5, -1.0, 2.5]
+)";
+
+/// A support: a beam with a nacelle on a yaw spring.
+inline const std::string kTower = R"(
+[support]
+from = "ground"
+[[support.body]]
+name = "tower"
+kind = "beam"
+length = 2.0
+bodies = 1
+elements = 2
+[support.body.sections]
+mass_per_length = 1.0
+axial_stiffness = 2e4
+lag_stiffness = 400.0
+flap_stiffness = 300.0
+torsion_stiffness = 300.0
+[[support.body]]
+name = "nacelle"
+kind = "rigid"
+mass = 1.5
+center = [0.1, 0.0, 0.05]
+inertia = [0.05, 0.06, 0.07]
+[[support.joint]]
+parent = "ground"
+child = "tower"
+kind = "fixed"
+[[support.joint]]
+parent = "tower"
+child = "nacelle"
+kind = "revolute"
+axis = [1.0, 0.0, 0.0]
+stiffness = 40.0
+damping = 0.1
+[support.axle]
+body = "nacelle"
+offset = [0.1, 0.0, 0.2]
+)";
+
 }  // namespace spoke::test
