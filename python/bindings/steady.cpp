@@ -154,8 +154,9 @@ std::string make_modes_page(const ModesResult& result, const Scenario& scenario)
 
 std::string make_modes_page(const OneMode& one) {
   const ModesResult& all = one.modes->result;
-  return make_modes_page({all.equilibrium, all.are_blades_coupled, {one.mode()}},
-                         one.modes->scenario);
+  return make_modes_page(
+      {all.equilibrium, all.frame, all.bodies, all.are_blades_coupled, {one.mode()}},
+      one.modes->scenario);
 }
 
 std::vector<OneMode> list_modes(const std::shared_ptr<const Modes>& modes) {
