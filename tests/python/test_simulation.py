@@ -149,7 +149,7 @@ def keys_of_docs():
 def test_named_arguments_are_the_keys_of_the_documents():
     import inspect
     keys = keys_of_docs()
-    common = {"blade", "ramp", "time", "factor"}
+    common = {"name", "blade", "ramp", "time", "factor"}
     for name in ("hub", "blade", "sections", "point_mass", "gravity", "damping", "load",
                  "distributed_load", "drag", "hub_load", "integration", "limits", "output",
                  "sensor", "loop", "anchor"):

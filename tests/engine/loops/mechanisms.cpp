@@ -48,7 +48,7 @@ bool widen(SubsystemJoint& joint, std::mt19937& random) {
                                  JointKind::prismatic, JointKind::cylindrical};
       joint.joint.kind = wider[draw(5)];
       joint.joint.axes = {Vector(0.2, 0.9, -0.4), Vector(1.0, 0.1, 0.3)};
-      joint.joint.coordinates = {};
+      joint.joint.coordinates.assign(3, {});
       return true;
     }
     case JointKind::revolute:
