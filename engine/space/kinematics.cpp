@@ -120,10 +120,8 @@ Angular calc_section_acceleration(const BodyData<Space>& body, std::size_t handl
 /// Returns the rotation of the hub that carries subsystem `i`, whose angle is the azimuth.
 DriveMotion calc_hub_rotation(const System<Space>& system, double t, std::size_t i,
                               const StepData<Space>& data) {
-  if (const int r = data.subsystems[i].rotor; r >= 0) {
-    const RotorData<Space>& rotor = data.rotors[static_cast<std::size_t>(r)];
-    return {rotor.angle, rotor.speed, rotor.spin_up};
-  }
+  if (const int rotor = data.subsystems[i].rotor; rotor >= 0)
+    return data.rotors[static_cast<std::size_t>(rotor)].turn;
   const CoordinateBlock& hub = data.hub_coordinates;
   if (prescribes_motion(system.hub.drive)) return calc_motion(system.hub.drive, t);
   return {hub.q[Space::kAxial], hub.v[Space::kAxial], hub.a[Space::kAxial]};

@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "engine/kernels/kinematics.h"
+#include "engine/kernels/marker_motion.h"
 #include "engine/kernels/samples.h"
 #include "engine/space/relative_motion.h"
 #include "engine/space/table_terms.h"
@@ -13,32 +14,12 @@
 namespace spoke {
 namespace {
 
-const SubsystemData<Space>& support_of(const SupportedRotor& rotor, const StepData<Space>& data) {
-  return data.subsystems[static_cast<std::size_t>(rotor.subsystem)];
-}
-
-/// Returns where a body's frame is in the frame of the hub that carries its tree.
-space::Pose calc_pose(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
-                      int body) {
-  space::Pose pose{space::Position::Zero(), {}};
-  for (int j = body; j >= 0; j = subsystem.bodies[static_cast<std::size_t>(j)].parent) {
-    const auto index = static_cast<std::size_t>(j);
-    const TreeBody<Space>& model = subsystem.bodies[index];
-    const space::JointMotion& joint = data.joints[index];
-    if (model.body->moves_inboard()) pose.p -= data.bodies[index].work.handles[0].s;
-    pose = {joint.p + joint.R * pose.p, joint.R * pose.R};
-    if (model.parent >= 0)
-      pose.p += data.bodies[static_cast<std::size_t>(model.parent)].work.handles[model.handle].s;
-  }
-  return pose;
-}
-
-/// Sets the angle about the axle and its rate.
-void take_angle(const BodyData<Space>& hub, RotorData<Space>& rotor) {
-  const bool is_driven = hub.model->joint.joint.driven > 0;
-  rotor.angle = is_driven ? hub.joint.driven[0].value : hub.joint.coordinates.q[0];
-  rotor.speed = is_driven ? hub.joint.driven[0].rate : hub.joint.coordinates.v[0];
-  rotor.spin_up = is_driven ? hub.joint.driven[0].acceleration : hub.joint.coordinates.a[0];
+/// Returns the turn of a hub about the axle that carries it.
+DriveMotion calc_turn(const BodyData<Space>& hub) {
+  const space::JointData& axle = hub.joint;
+  if (hub.model->joint.joint.driven == 0)
+    return {axle.coordinates.q[0], axle.coordinates.v[0], axle.coordinates.a[0]};
+  return {axle.driven[0].value, axle.driven[0].rate, axle.driven[0].acceleration};
 }
 
 }  // namespace
@@ -52,9 +33,9 @@ void place_rotor(const System<Space>& system, std::size_t r, double t, bool is_i
   const SubsystemData<Space>& support = data.subsystems[i];
   RotorData<Space>& rotor = data.rotors[r];
   const HubState<Space>& base = *support.hub;
-  const space::Pose pose = calc_pose(system.subsystems[i], support, model.body);
+  const space::Pose pose = calc_pose_in_hub(system.subsystems[i], support, model.body);
   rotor.hub = {base.p + base.R * pose.p, base.R * pose.R, support.twists[j]};
-  take_angle(support.bodies[j], rotor);
+  rotor.turn = calc_turn(support.bodies[j]);
   if (is_implicit)
     rotor.acceleration = calc_frame_acceleration(
         system.subsystems[i], support, calc_hub_acceleration(system, i, data, t), rotor.path);
@@ -108,16 +89,18 @@ void record_rotor(const System<Space>& system, double t, const StepData<Space>& 
   const RotorData<Space>& rotor = data.rotors[0];
   const space::Angular w = angular(rotor.hub.twist);
   RotorRecord<Space>& made = record.rotor;
-  made.position = space::make_twist(rotor.hub.p, space::Angular(0.0, 0.0, rotor.angle));
+  made.position = space::make_twist(rotor.hub.p, space::Angular(0.0, 0.0, rotor.turn.angle));
   made.velocity = space::make_twist(rotor.hub.R * space::Position(linear(rotor.hub.twist)),
-                                    space::Angular(w.x(), w.y(), rotor.speed));
-  made.rotation = {rotor.hub.R, w.z() - rotor.speed};
-  made.reaction = support_of(model, data).wrenches[static_cast<std::size_t>(model.body)].inboard;
+                                    space::Angular(w.x(), w.y(), rotor.turn.speed));
+  made.rotation = {rotor.hub.R, w.z() - rotor.turn.speed};
+  made.reaction = data.subsystems[static_cast<std::size_t>(model.subsystem)]
+                      .wrenches[static_cast<std::size_t>(model.body)]
+                      .inboard;
   made.applied_torque = 0.0;
   const Drive& drive = drive_of(system);
   if (prescribes_motion(drive)) return;
   made.reaction[Space::kAxial] = 0.0;
-  made.applied_torque = calc_torque(drive, t, rotor.speed);
+  made.applied_torque = calc_torque(drive, t, rotor.turn.speed);
 }
 
 }  // namespace spoke

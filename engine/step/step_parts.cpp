@@ -231,8 +231,7 @@ void add_rotor_parts(StepData<Space>& data, StepGraphBuilder& builder, StepParts
     RotorParts& own = parts.rotors.emplace_back();
     own.hub =
         builder.add_part(name + "hub motion",
-                         {bytes_of(rotor.hub), bytes_of(rotor.acceleration), bytes_of(rotor.angle),
-                          bytes_of(rotor.speed), bytes_of(rotor.spin_up)});
+                         {bytes_of(rotor.hub), bytes_of(rotor.acceleration), bytes_of(rotor.turn)});
     own.carried = builder.add_part(name + "carried inertia", {bytes_of(rotor.carried)});
   }
 }

@@ -40,9 +40,7 @@ struct RotorData {
   HubState<World> hub;
   /// Acceleration of the hub by the last iterate, hub frame, less gravity; in implicit passes.
   TwistOf<World> acceleration = TwistOf<World>::Zero();
-  double angle = 0.0;    ///< angle of the axle [rad]
-  double speed = 0.0;    ///< its rate [rad/s]
-  double spin_up = 0.0;  ///< its second derivative, by the last iterate [rad/s^2]
+  DriveMotion turn;  ///< about the axle; its acceleration by the last iterate, if it is free
   typename BodyTypes<World>::CarriedInertia carried;
   std::vector<int> path{};  ///< bodies of the support from its base to the hub
 };
