@@ -207,9 +207,9 @@ class SPOKE_EXPORT Simulation {
   void calc_shape(int tree, TreeShape& shape) const;
   /// Returns the pose of the frame of the hub at time(), in the plane or in space.
   HubPose hub_pose() const;
-  /// Returns the pose of what a support stands on, the ground or the fuselage, in the inertial
+  /// Returns the motion of what a support stands on, the ground or the fuselage, in the inertial
   /// frame; that of the hub where there is no support.
-  HubPose base_pose() const;
+  MarkerMotion base_frame() const;
 
   // The following functions are for the state at time(), and take one evaluation of the
   // accelerations at the first call for a state. Places that do not exist throw InputError; after a

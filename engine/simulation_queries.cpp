@@ -79,7 +79,7 @@ void Simulation::calc_shape(int tree, TreeShape& shape) const {
 }
 
 HubPose Simulation::hub_pose() const { return core_->model->hub_pose(); }
-HubPose Simulation::base_pose() const { return core_->model->base_pose(); }
+MarkerMotion Simulation::base_frame() const { return core_->model->base_frame(time()); }
 
 MarkerState Simulation::marker(const Marker& marker) const {
   core_->model->require_place(marker);

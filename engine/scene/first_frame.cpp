@@ -82,7 +82,8 @@ void add_motions(const Tree& tree, const Placement& base, std::vector<Placement>
                  std::size_t& next) {
   const std::vector<Placement> motions = calc_motions(tree);
   for (std::size_t j = 0; j < tree.bodies.size(); ++j)
-    if (count_coordinates(tree.bodies[j].joint.kind) > 0) groups[next++] = base * motions[j];
+    if (count_coordinates(tree.bodies[j].joint.kind) > 0 && !tree.bodies[j].is_hub)
+      groups[next++] = base * motions[j];
 }
 
 /// Returns the pose of the hub, which its mount may have moved.

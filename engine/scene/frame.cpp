@@ -62,9 +62,9 @@ void FrameReader::read_space(const Simulation& simulation, Frame& frame) {
     simulation.calc_shape(static_cast<int>(i), spatial_shapes_[i]);
   Placement base;  // of a support, in the hub's frame
   if (scene_.support >= 0) {
-    const HubPose pose = simulation.base_pose();
+    const MarkerMotion motion = simulation.base_frame();
     const Tensor to_hub = frame.hub.rotation.transpose();
-    base = {to_hub * (pose.position - frame.hub.position), to_hub * pose.rotation};
+    base = {to_hub * (motion.position - frame.hub.position), to_hub * motion.rotation};
     frame.groups[static_cast<std::size_t>(scene_.base_group)] = base;
   }
   for (std::size_t k = 0; k < scene_.sources.size(); ++k) {
@@ -76,7 +76,8 @@ void FrameReader::read_space(const Simulation& simulation, Frame& frame) {
     frame.rotations.emplace_back(turn * node.rotation);
     const Node& drawn = scene_.nodes[k];
     if (drawn.group == 0 || drawn.group == scene_.base_group) continue;
-    // All nodes of a rigid group show the same motion.
+    // All nodes of a rigid group show the same motion, but that of a hub, which turns in its group.
+    if (is_on_base && static_cast<int>(k) == scene_.tips.back()) continue;
     const Tensor now = space::exponential(node.rotation).axes.transpose() * node.R;
     Placement& group = frame.groups[static_cast<std::size_t>(drawn.group)];
     group.rotation = now * drawn.axes.transpose();

@@ -158,7 +158,8 @@ struct Scene {
   Vector gravity = Vector::Zero();  ///< inertial axes [m/s^2]
   int groups = 1;
   /// Index of the subsystem that is the support, whose undeformed nodes are in the frame of its
-  /// base; and the group that is the motion of that frame. -1: none.
+  /// base; and the group that is the motion of that frame, behind which are those of its bodies.
+  /// Its last node is the hub's centre on the body that carries the axle. -1: none.
   int support = -1, base_group = -1;
   std::vector<std::string> subsystems;  ///< names
   std::vector<int> tips;                ///< last node, by subsystem

@@ -91,9 +91,10 @@ class Surfaces {
 /// Adds one subsystem to a scene.
 class SubsystemScene {
  public:
-  SubsystemScene(const Tree& tree, int number, bool is_blade, std::size_t stride, int per_element,
-                 Surfaces& surfaces, Scene& scene)
+  SubsystemScene(const Tree& tree, int number, bool is_blade, const spatial::Tensor& to_hub,
+                 std::size_t stride, int per_element, Surfaces& surfaces, Scene& scene)
       : tree_(tree),
+        to_hub_(to_hub),
         number_(number),
         is_blade_(is_blade),
         stride_(stride),
@@ -141,6 +142,7 @@ class SubsystemScene {
     std::optional<LoadedPlace> found;
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j) {
       if (!is_on(place, j)) continue;
+      if (const auto turning = find_turning_place(j, point)) return turning;
       const Placement& body = placements_[j];
       const auto* part = std::get_if<spatial::FlexibleBody>(&tree_.bodies[j].shape);
       if (!part)
@@ -174,9 +176,16 @@ class SubsystemScene {
   /// Returns the group of what carries the tree.
   int root_group() const { return number_ == scene_.support ? scene_.base_group : 0; }
 
+  /// Returns a place in the frame of the hub of a support; none if the body is none.
+  std::optional<LoadedPlace> find_turning_place(std::size_t j, const Vector& point) const {
+    if (!tree_.bodies[j].is_hub) return std::nullopt;
+    return LoadedPlace{{-1, 0.0, to_hub_ * point}, to_hub_, to_hub_};
+  }
+
   void add_group(std::size_t j) {
     const TreeBody& body = tree_.bodies[j];
-    if (count_coordinates(body.joint.kind) > 0)
+    // The node of a hub shows where the body that carries the axle has it.
+    if (count_coordinates(body.joint.kind) > 0 && !body.is_hub)
       groups_.push_back(scene_.groups++);
     else
       groups_.push_back(body.parent < 0 ? root_group()
@@ -288,6 +297,7 @@ class SubsystemScene {
     const int node = first_[j];
     const Placement& at = placements_[j];
     add_node(j, 0, at.position);
+    if (tree_.bodies[j].is_hub) return;  // it is drawn as the hub of all models
     Solid solid = make_body(body.center, body.mass, body.inertia);
     solid.name = name_of(j);
     solid.subsystem = number_;
@@ -312,9 +322,13 @@ class SubsystemScene {
   LoopEnd find_end(const spatial::TreePlace& place) {
     if (place.carrier != LoopPlace::Carrier::body)
       return {{-1, 0.0, place.placement.position,
-               find_group(scene_, place.carrier, static_cast<int>(place.anchor))},
+               place.carrier == LoopPlace::Carrier::hub
+                   ? root_group()
+                   : find_group(scene_, place.carrier, static_cast<int>(place.anchor))},
               place.placement.rotation};
     const auto j = static_cast<std::size_t>(place.body);
+    if (const auto turning = find_turning_place(j, place.placement.position))
+      return {turning->at, turning->body * place.placement.rotation};
     const Placement& body = placements_[j];
     const spatial::Tensor axes = body.rotation * place.placement.rotation;
     const Vector offset = body.rotation * place.placement.position;
@@ -367,6 +381,7 @@ class SubsystemScene {
   }
 
   const Tree& tree_;
+  spatial::Tensor to_hub_;  ///< from axes with z along the hub's axis to those of the scenario
   int number_;
   bool is_blade_;
   std::size_t stride_;
@@ -388,6 +403,19 @@ void add_hub(const spatial::Hub& hub, Scene& scene) {
     scene.solids.push_back(make_cylinder(hub.axis, size, std::min(0.5 * size, 0.04 * radius)));
   }
   scene.solids.back().name = "hub";
+}
+
+/// Draws the body that a support is or stands on, and what holds the axle where no other body does.
+void add_fuselage(const spatial::Fuselage& fuselage, const Tree& support, Scene& scene) {
+  Solid solid = make_body(fuselage.center, fuselage.mass, fuselage.inertia);
+  solid.name = spatial::base_name(spatial::SupportBase::free);
+  solid.subsystem = scene.support;
+  solid.group = scene.base_group;
+  scene.solids.push_back(std::move(solid));
+  const int hub = scene.tips.back();
+  const Vector& place = scene.nodes[static_cast<std::size_t>(hub)].p;
+  if (support.bodies.back().parent < 0 && !(place - fuselage.center).isZero(1e-12))
+    scene.links.push_back({scene.support, hub, fuselage.center, place});
 }
 
 /// Draws the loads of a model.
@@ -458,10 +486,13 @@ Scene make_spatial_scene(const spatial::Model& model, std::size_t most_nodes,
       scene.support = static_cast<int>(i);
       scene.base_group = scene.groups++;
     }
-    made.emplace_back(trees[i], static_cast<int>(i), i < model.blades.size(), stride,
+    made.emplace_back(trees[i], static_cast<int>(i), i < model.blades.size(),
+                      spatial::rotor_placement(model.hub).rotation, stride,
                       rings_per_element(nodes / stride), surfaces, scene);
     made.back().add();
   }
+  if (model.support && model.support->from == spatial::SupportBase::free)
+    add_fuselage(model.support->fuselage, trees.back(), scene);
   add_hub(model.hub, scene);
   add_plates(model.anchors, scene);
   LoadMarks marks(made, scene);

@@ -150,7 +150,7 @@ class ModelOn final : public SimulatedModel {
     own_.calc_shape(subsystem, t, shape);
   }
   HubPose hub_pose() const override { return own_.hub_pose(); }
-  HubPose base_pose() const override { return own_.base_pose(); }
+  MarkerMotion base_frame(double t) const override { return own_.base_frame(t); }
   MarkerState hub_frame(double t) const override { return calc_hub_frame(*context_, t); }
   LoopsAtStart loops_at_start() const override { return describe_loops(*context_, own_.names()); }
   MarkerMotion carrier_frame(int anchor, double t) const override {

@@ -54,6 +54,12 @@ HubPose PlanarModel::hub_pose() const {
   return {{q[0], q[1], 0.0}, in_space(plane::Rotation::from_angle(q[kRotation]))};
 }
 
+MarkerMotion PlanarModel::base_frame(double t) const {
+  const HubPose pose = hub_pose();
+  const MarkerState hub = calc_hub_frame(context_, t);
+  return {pose.position, pose.rotation, hub.velocity, hub.angular_velocity};
+}
+
 MarkerMotion PlanarModel::carrier_frame(int anchor, double t) const {
   return calc_carrier_frame(context_, anchor, t);
 }

@@ -110,10 +110,11 @@ class SimulatedModel {
   /// Calculates a shape or the pose of the hub, see Simulation::calc_shape() and hub_pose().
   virtual void calc_shape(int subsystem, double t, TreeShape& shape) = 0;
   virtual HubPose hub_pose() const = 0;
-  virtual HubPose base_pose() const = 0;
   /// Returns velocities and accelerations of the frame of the hub at time t [s], see
   /// Simulation::hub_frame().
   virtual MarkerState hub_frame(double t) const = 0;
+  /// Returns the motion of what a support stands on, see Simulation::base_frame().
+  virtual MarkerMotion base_frame(double t) const = 0;
   /// See Simulation::loops_at_start().
   virtual LoopsAtStart loops_at_start() const = 0;
   /// Returns the motion of an anchor's frame, or of the mount's (-1), see Simulation.

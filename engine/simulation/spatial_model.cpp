@@ -122,10 +122,15 @@ HubPose SpatialModel::hub_pose() const {
   return {hub.p, hub.R.axes * rotor_placement(scenario_.space->hub).rotation.transpose()};
 }
 
-HubPose SpatialModel::base_pose() const {
-  if (context_.data.rotors.empty()) return hub_pose();
+MarkerMotion SpatialModel::base_frame(double t) const {
+  if (context_.data.rotors.empty()) {
+    const HubPose pose = hub_pose();
+    const MarkerState hub = calc_hub_frame(context_, t);
+    return {pose.position, pose.rotation, hub.velocity, hub.angular_velocity};
+  }
   const HubState<Space> base = calc_hub_state(context_.data);
-  return {base.p, base.R.axes};
+  const space::Twist velocity = base.R * base.twist;
+  return {base.p, base.R.axes, linear(velocity), angular(velocity)};
 }
 
 MarkerMotion SpatialModel::carrier_frame(int anchor, double t) const {

@@ -42,7 +42,7 @@ class SpatialModel {
   Wrench section_force(const Marker& marker) const;
   void calc_shape(int subsystem, double t, TreeShape& shape);
   HubPose hub_pose() const;
-  HubPose base_pose() const;
+  MarkerMotion base_frame(double t) const;
   /// Returns the motion of an anchor's frame, or of the mount's (-1).
   MarkerMotion carrier_frame(int anchor, double t) const;
 

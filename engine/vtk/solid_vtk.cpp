@@ -134,15 +134,20 @@ int SolidVtk::count_points() const {
 std::string SolidVtk::make(const Simulation& simulation) {
   read_shapes(simulation);
   const HubPose hub = simulation.hub_pose();
+  const MarkerMotion carrier = simulation.base_frame();
+  const HubPose base{carrier.position, carrier.rotation};
+  const int support =
+      simulation.scenario().space->support ? static_cast<int>(shapes_.size()) - 1 : -1;
   std::vector<NodeMotion> nodes;
   std::vector<SolidCell> cells;
   for (const Solid& solid : solids_) {
     const TreeBodyShape& shape = shape_of(solid);
     const double *q = shape.coordinates.data(), *v = shape.velocities.data();
     for (int k = 0; k < solid.recovery->size(); ++k)
-      nodes.push_back(
-          move_node(hub, shape.nodes.front(), solid.constants->nodes[static_cast<std::size_t>(k)],
-                    solid.recovery->displacement(k, q), solid.recovery->displacement(k, v)));
+      nodes.push_back(move_node(solid.subsystem == support ? base : hub, shape.nodes.front(),
+                                solid.constants->nodes[static_cast<std::size_t>(k)],
+                                solid.recovery->displacement(k, q),
+                                solid.recovery->displacement(k, v)));
     list_cells(*solid.constants, {solid.subsystem + 1, solid.body + 1, 0, kVertex, {}}, solid.first,
                cells);
   }

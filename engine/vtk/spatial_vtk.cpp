@@ -36,12 +36,14 @@ class MeshMaker {
   MeshMaker(const Simulation& simulation, const scene::Scene& scene, const scene::Frame& frame,
             const scene::FrameReader& reader)
       : scene_(scene), frame_(frame), reader_(reader), deformed_(scene, frame) {
-    carriers_.resize(1 + scene.carriers.size());
+    carriers_.resize(static_cast<std::size_t>(scene.groups));
     const HubFrame hub = simulation.hub_frame();
     carriers_[0] = {hub.position, hub.rotation, hub.velocity, hub.angular_velocity};
     for (const scene::Carrier& carrier : scene.carriers)
       carriers_[static_cast<std::size_t>(carrier.group)] =
           carrier.anchor < 0 ? simulation.mount_frame() : simulation.anchor_frame(carrier.anchor);
+    if (scene.support >= 0)
+      carriers_[static_cast<std::size_t>(scene.base_group)] = simulation.base_frame();
   }
 
   Mesh make() && {
@@ -59,16 +61,25 @@ class MeshMaker {
   }
 
  private:
-  const TreeNode& node(int k) const {
+  /// Where a node is and how it moves, in the frame of the hub.
+  struct NodeMotion {
+    Vector p, velocity, angular_velocity;
+  };
+  /// Returns the motion of a node; those of a support have theirs in the frame of its base.
+  NodeMotion node(int k) const {
     const scene::NodeSource& source = scene_.sources[static_cast<std::size_t>(k)];
-    return reader_.body_of(source).nodes[static_cast<std::size_t>(source.node)];
+    const TreeNode& node = reader_.body_of(source).nodes[static_cast<std::size_t>(source.node)];
+    if (source.subsystem != scene_.support) return {node.p, node.velocity, node.angular_velocity};
+    const spatial::Placement& base = frame_.groups[static_cast<std::size_t>(scene_.base_group)];
+    return {base.position + base.rotation * node.p, base.rotation * node.velocity,
+            base.rotation * node.angular_velocity};
   }
   static Vector cross(const Vector& w, const Vector& r) {
     return {w.y() * r.z() - w.z() * r.y(), w.z() * r.x() - w.x() * r.z(),
             w.x() * r.y() - w.y() * r.x()};
   }
   /// Returns the velocity of a point that is fixed to a node.
-  static Vector velocity_at(const TreeNode& node, const Vector& p) {
+  static Vector velocity_at(const NodeMotion& node, const Vector& p) {
     return node.velocity + cross(node.angular_velocity, p - node.p);
   }
 
@@ -157,7 +168,7 @@ class MeshMaker {
   const scene::Frame& frame_;
   const scene::FrameReader& reader_;
   scene::Deformed deformed_;
-  std::vector<MarkerMotion> carriers_;  ///< hub, mount and anchors, by group
+  std::vector<MarkerMotion> carriers_;  ///< hub, mount, anchors and base, by group
   Mesh mesh_;
 };
 

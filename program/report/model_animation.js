@@ -1,8 +1,9 @@
 // States of a scene over time, and in between on straight lines. Uses page_tools.js, space_math.js and
 // scene.js.
 
-/** data: {times; hub: by frame (place, angle about the axis) or a pose; groups: poses by frame and
- *  group but the first; displacements, rotations: by frame and node, as shares of units; forces; solids:
+/** data: {times; hub: by frame (place, angle about the axis), a pose, or on a support the pose at an angle
+ *  of 0 and the angle; groups: poses by frame and group but the first, on a support in the frame of its
+ *  base, which has its own in the inertial frame; displacements, rotations: by frame and node, as shares of units; forces; solids:
    *  numbers of frames; largest: what solids show at most, and when they are displaced most}. */
 class ModelAnimation {
   constructor(scene, data) {
@@ -63,6 +64,10 @@ class ModelAnimation {
     const [a, b] = [hubSize * before, hubSize * after];
     if (hubSize === 7) return poseBetween(hub, a, b, share);
     const value = (c) => hub[a + c] + share * (hub[b + c] - hub[a + c]);
+    if (hubSize === 8) {
+      const { p, R } = poseBetween(hub, a, b, share);
+      return { p, R: product(R, rotationOf(times(value(7), this.scene.axis))) };
+    }
     return { p: [value(0), value(1), value(2)], R: rotationOf(times(value(3), this.scene.axis)) };
   }
   groupAt(group, { before, after, share }) {
@@ -106,9 +111,35 @@ class ModelAnimation {
     return made;
   }
 
-  at(time) {
+  /** Where the hub is if the end of its support is displaced and turned `scale` times as much. */
+  movedHub(hub, base, displacements, rotations, scale) {
+    const node = this.scene.base.hub;
+    const more = (v) => times(scale - 1, turn(base.R, [v[3 * node], v[3 * node + 1], v[3 * node + 2]]));
+    return { p: add(hub.p, more(displacements)), R: product(rotationOf(more(rotations)), hub.R) };
+  }
+  /** Takes what is on a support from the frame of its base to that of the hub. */
+  turnToHub(state, scale) {
+    const { scene } = this;
+    const { group: first } = scene.base;
+    const { groups, displacements, rotations } = state;
+    const base = groups[first];
+    const hub = this.movedHub(state.hub, base, displacements, rotations, scale);
+    const toHub = { p: turnBack(hub.R, sub(base.p, hub.p)), R: product(transposed(hub.R), base.R) };
+    state.hub = hub;
+    groups[first] = toHub;
+    for (let g = first + 1; g < groups.length; ++g)
+      groups[g] = { p: add(toHub.p, turn(toHub.R, groups[g].p)), R: product(toHub.R, groups[g].R) };
+    for (let k = 0; k < scene.nodeCount; ++k)
+      if (scene.nodeGroups[k] >= first)
+        for (const v of [displacements, rotations])
+          v.set(turn(toHub.R, [v[3 * k], v[3 * k + 1], v[3 * k + 2]]), 3 * k);
+    return state;
+  }
+
+  /** The state at a time. `scale`: by which it will be deformed; a hub goes with its support. */
+  at(time, scale = 1) {
     const place = this.place(time);
-    return {
+    const state = {
       hub: this.hubAt(place),
       groups: Array.from({ length: this.scene.groups }, (_, g) => this.groupAt(g, place)),
       displacements: this.spread(this.displacements, this.units.displacement, this.nodeSize, place),
@@ -116,9 +147,14 @@ class ModelAnimation {
       solids: this.scene.solidsOf(this.solidsAt(place)),
       forces: (kind) => this.forcesAt(kind, place),
     };
+    return this.scene.base ? this.turnToHub(state, scale) : state;
   }
   /** Where a node is at a time, in the inertial frame. */
   nodeAt(node, time, scale) {
+    if (this.scene.base) {
+      const state = this.at(time, scale);
+      return add(state.hub.p, turn(state.hub.R, placeOf(this.scene, state, scale, node)));
+    }
     const place = this.place(time);
     const group = this.groupAt(this.scene.nodeGroups[node], place);
     const hub = this.hubAt(place);

@@ -5,8 +5,10 @@ function startPage() {
   const data = JSON.parse(document.getElementById('model-data').textContent);
   const scene = new Scene(data.scene);
   const numbers = decode(data.groups, Float32Array);
+  // A model on a support is drawn in the inertial frame, others in that of the hub.
+  const hub = data.hub ? poseBetween(decode(data.hub, Float32Array), 0, 0, 0) : undefined;
   const groups = Array.from({ length: scene.groups }, (_, g) =>
-    g === 0 ? undefined : poseBetween(numbers, 7 * (g - 1), 7 * (g - 1), 0));
+    g === 0 ? hub : poseBetween(numbers, 7 * (g - 1), 7 * (g - 1), 0));
   const state = scene.stateAtRest(groups);
   const settings = { scale: 1, outline: false };
   const camera = makeCamera(scene);

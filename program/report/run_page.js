@@ -128,7 +128,7 @@ class Player {
     this.draw();
   }
   draw() {
-    const state = this.animation.at(this.time);
+    const state = this.animation.at(this.time, this.settings.scale);
     const largest = this.animation.largest.size;
     this.views[0].draw(state, { largest });
     this.views[1].draw(state, { largest, trails: this.settings.trails ? this.trails() : [] });

@@ -71,13 +71,12 @@ class Scene {
 
 /** Where nodes are in the hub's frame, displacements multiplied by `scale`. */
 function placesOf(scene, { groups, displacements: u }, scale) {
-  const places = [];
-  for (let k = 0; k < scene.nodeCount; ++k) {
-    const group = groups[scene.nodeGroups[k]];
-    const d = [scale * u[3 * k], scale * u[3 * k + 1], scale * u[3 * k + 2]];
-    places.push(add(add(group.p, turn(group.R, scene.nodePlace(k))), d));
-  }
-  return places;
+  return Array.from({ length: scene.nodeCount }, (_, k) => placeOf(scene, { groups, displacements: u }, scale, k));
+}
+function placeOf(scene, { groups, displacements: u }, scale, k) {
+  const group = groups[scene.nodeGroups[k]];
+  const d = [scale * u[3 * k], scale * u[3 * k + 1], scale * u[3 * k + 2]];
+  return add(add(group.p, turn(group.R, scene.nodePlace(k))), d);
 }
 
 /** Where nodes of solids are in the hub's frame, some of them where there are very many. */

@@ -26,6 +26,8 @@ const turnBack = (R, v) => [
   R[1] * v[0] + R[4] * v[1] + R[7] * v[2],
   R[2] * v[0] + R[5] * v[1] + R[8] * v[2],
 ];
+/** R^T. */
+const transposed = (R) => [R[0], R[3], R[6], R[1], R[4], R[7], R[2], R[5], R[8]];
 /** A B. */
 function product(A, B) {
   const C = new Array(9);

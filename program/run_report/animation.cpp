@@ -9,6 +9,7 @@
 #include "engine/scene/deformed.h"
 #include "engine/scene/make_scene.h"
 #include "engine/space/solid_output.h"
+#include "models/space/rotation_vector.h"
 #include "program/run_report/scene_data.h"
 
 namespace spoke::run_report {
@@ -60,7 +61,11 @@ void Animation::add(const Simulation& simulation) {
 }
 
 void Animation::append() {
-  if (is_free_in_space_) {
+  if (scene_.support >= 0) {
+    turn_to_base();
+    append_pose({frame_.hub.position, calc_standing_hub()}, hub_);
+    hub_.push_back(static_cast<float>(frame_.hub_angle));
+  } else if (is_free_in_space_) {
     append_pose({frame_.hub.position, frame_.hub.rotation}, hub_);
   } else {
     for (const double x : frame_.hub.position) hub_.push_back(static_cast<float>(x));
@@ -77,6 +82,28 @@ void Animation::append() {
   for (const double force : frame_.axial_forces) axial_forces_.push_back(static_cast<float>(force));
   for (const double moment : frame_.bending_moments)
     bending_moments_.push_back(static_cast<float>(moment));
+}
+
+/// Returns the orientation that the hub would have at an angle of 0.
+spatial::Tensor Animation::calc_standing_hub() const {
+  return frame_.hub.rotation * space::exponential(-frame_.hub_angle * scene_.axis).axes;
+}
+
+/// Takes what is on a support from the hub's frame to that of its base, whose own motion becomes
+/// that in the inertial frame: neither turns with the rotor between two pictures.
+void Animation::turn_to_base() {
+  const auto first = static_cast<std::size_t>(scene_.base_group);
+  const spatial::Placement base = frame_.groups[first];
+  const spatial::Tensor back = base.rotation.transpose();
+  const spatial::Placement to_base{-(back * base.position), back};
+  frame_.groups[first] = spatial::Placement{frame_.hub.position, frame_.hub.rotation} * base;
+  for (std::size_t g = first + 1; g < frame_.groups.size(); ++g)
+    frame_.groups[g] = to_base * frame_.groups[g];
+  for (std::size_t k = 0; k < scene_.nodes.size(); ++k)
+    if (scene_.nodes[k].group >= scene_.base_group) {
+      frame_.displacements[k] = back * frame_.displacements[k];
+      frame_.rotations[k] = back * frame_.rotations[k];
+    }
 }
 
 void Animation::append_solids() {

@@ -31,9 +31,12 @@ class Animation {
   const scene::Scene& scene() const { return scene_; }
   const std::vector<double>& times() const { return times_; }  ///< [s]
   /// Returns by frame the hub's pose if it is free in space, otherwise x, y, z [m] and the angle
-  /// about the axis [rad]. A pose is x, y, z [m] and a quaternion (w, x, y, z).
+  /// about the axis [rad]; on a support the pose at an angle of 0, and the angle. A pose is x, y, z
+  /// [m] and a quaternion (w, x, y, z).
   const std::vector<float>& hub() const { return hub_; }
-  /// Returns poses by frame and group, without the first group.
+  /// Returns poses by frame and group, without the first group; in the hub's frame. The base of a
+  /// support has its pose in the inertial frame, and what stands on it is in the base's frame, as
+  /// displacements and rotations of its nodes are.
   const std::vector<float>& groups() const { return groups_; }
   /// Returns displacements by frame and node in the hub's frame; only x and y for a planar model
   /// [m].
@@ -56,6 +59,8 @@ class Animation {
  private:
   void append();
   void append_solids();
+  void turn_to_base();
+  spatial::Tensor calc_standing_hub() const;
   void observe_solids();
 
   scene::Scene scene_;

@@ -140,9 +140,17 @@ scene::Frame find_frame(const Simulation& simulation, const scene::Scene& scene)
 
 std::string make_data(const Simulation& simulation, const scene::Scene& scene) {
   const scene::Frame frame = find_frame(simulation, scene);
+  const spatial::Placement hub{frame.hub.position, frame.hub.rotation};
+  const bool stands = scene.support >= 0;
   std::vector<float> groups;
-  for (std::size_t g = 1; g < frame.groups.size(); ++g) append_pose(frame.groups[g], groups);
-  const Json data = {{"scene", describe_scene(scene)}, {"groups", encode(groups)}};
+  for (std::size_t g = 1; g < frame.groups.size(); ++g)
+    append_pose(stands ? hub * frame.groups[g] : frame.groups[g], groups);
+  Json data = {{"scene", describe_scene(scene)}, {"groups", encode(groups)}};
+  if (stands) {  // it is drawn in the inertial frame
+    std::vector<float> pose;
+    append_pose(hub, pose);
+    data.set("hub", encode(pose));
+  }
   return data.dump();
 }
 

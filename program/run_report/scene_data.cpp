@@ -168,23 +168,26 @@ Json describe_scene(const scene::Scene& scene) {
   Json meshes = Json::array();
   for (const scene::MeshBody& mesh : scene.meshes)
     meshes.push_back(describe(mesh, scene.nodes[static_cast<std::size_t>(mesh.node)]));
-  return {{"isPlanar", scene.is_planar},
-          {"axis", json_of(scene.axis)},
-          {"gravity", json_of(scene.gravity)},
-          {"groups", scene.groups},
-          {"trees", scene.subsystems},
-          {"tips", scene.tips},
-          {"nodes", encode(nodes)},
-          {"nodeGroups", encode(groups)},
-          {"strips", describe_all(scene.strips)},
-          {"solids", describe_all(scene.solids)},
-          {"surfaces", describe_all(scene.surfaces)},
-          {"meshes", meshes},
-          {"links", describe_all(scene.links)},
-          {"joints", describe_all(scene.joints)},
-          {"loops", describe_all(scene.loops)},
-          {"loads", describe_all(scene.loads)},
-          {"sensors", describe_all(scene.sensors)}};
+  Json described = {{"isPlanar", scene.is_planar},
+                    {"axis", json_of(scene.axis)},
+                    {"gravity", json_of(scene.gravity)},
+                    {"groups", scene.groups},
+                    {"trees", scene.subsystems},
+                    {"tips", scene.tips},
+                    {"nodes", encode(nodes)},
+                    {"nodeGroups", encode(groups)},
+                    {"strips", describe_all(scene.strips)},
+                    {"solids", describe_all(scene.solids)},
+                    {"surfaces", describe_all(scene.surfaces)},
+                    {"meshes", meshes},
+                    {"links", describe_all(scene.links)},
+                    {"joints", describe_all(scene.joints)},
+                    {"loops", describe_all(scene.loops)},
+                    {"loads", describe_all(scene.loads)},
+                    {"sensors", describe_all(scene.sensors)}};
+  if (scene.support >= 0)
+    described.set("base", {{"group", scene.base_group}, {"hub", scene.tips.back()}});
+  return described;
 }
 
 void append_numbers(const scene::Surface& surface, const std::vector<double>& coordinates,
