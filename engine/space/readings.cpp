@@ -6,6 +6,7 @@
 #include <cassert>
 
 #include "engine/kernels/loop_readings.h"
+#include "engine/kernels/marker_motion.h"
 #include "engine/space/interface_force.h"
 #include "engine/space/relative_motion.h"
 #include "engine/space/section_balance.h"
@@ -24,10 +25,20 @@ Rotation from_hub(SensorFrame frame, const Subsystem<Space>& subsystem,
   return frame == SensorFrame::inertial ? hub.R : Rotation{};
 }
 
-/// Returns a motion as an observer in the inertial frame has it. R_start: of H when the hub's angle
-/// is 0.
+/// Returns where H of the hub that carries a subsystem is when its angle and all joint coordinates
+/// of a support are 0, without a mount's motion.
+space::Pose calc_start(const System<Space>& system, const Subsystem<Space>& subsystem) {
+  const space::Pose base{system.hub.position, rotation_of(system.hub, 0.0)};
+  if (subsystem.rotor < 0) return base;
+  const SupportedRotor& rotor = system.rotors[static_cast<std::size_t>(subsystem.rotor)];
+  const space::Pose hub =
+      calc_rest_pose(system.subsystems[static_cast<std::size_t>(rotor.subsystem)], rotor.body);
+  return {base.p + base.R * hub.p, base.R * hub.R};
+}
+
+/// Returns a motion as an observer in the inertial frame has it. start: of H, see calc_start().
 space::Twist calc_inertial(SensorQuantity quantity, const SpatialMotion& m, const space::Pose& rest,
-                           const Rotation& R_start, const HubState<Space>& hub,
+                           const space::Pose& start, const HubState<Space>& hub,
                            const space::Twist& hub_acceleration, const space::Position& gravity) {
   const Angular w = angular(hub.twist);
   switch (quantity) {
@@ -42,8 +53,8 @@ space::Twist calc_inertial(SensorQuantity quantity, const SpatialMotion& m, cons
                                hub.R * Angular(alpha + m.alpha + cross(w, m.w)));
     }
     default:
-      return space::make_twist(hub.p + hub.R * m.p - R_start * rest.p,
-                               logarithm(hub.R * m.R * (R_start * rest.R).inverse()));
+      return space::make_twist(hub.p + hub.R * m.p - (start.p + start.R * rest.p),
+                               logarithm(hub.R * m.R * (start.R * rest.R).inverse()));
   }
 }
 
@@ -54,7 +65,7 @@ space::Twist calc_motion(const System<Space>& system, std::size_t i, const StepD
   const space::Twist hub_acceleration = calc_hub_acceleration(system, i, data, t);
   const SpatialMotion m = calc_shown_motion(subsystem, own, hub_acceleration, asked);
   if (asked.frame == SensorFrame::inertial)
-    return calc_inertial(asked.quantity, m, asked.rest, rotation_of(system.hub, 0.0), *own.hub,
+    return calc_inertial(asked.quantity, m, asked.rest, calc_start(system, subsystem), *own.hub,
                          hub_acceleration, system.gravity_at(t));
   const Rotation R = from_hub(asked.frame, subsystem, *own.hub);
   if (asked.quantity == SensorQuantity::velocity) return R * space::make_twist(m.v, m.w);

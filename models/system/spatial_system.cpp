@@ -1,31 +1,23 @@
-// Makes subsystems with their constants out of the trees of a description.
+// Makes the system of a description: hub or support, and the subsystems on it.
 
 #include "models/system/spatial_system.h"
 
 #include <algorithm>
 #include <cassert>
 #include <memory>
-#include <numeric>
 #include <span>
 #include <string>
 #include <utility>
 
 #include "models/error.h"
 #include "models/system/shared_bodies.h"
-#include "models/system/solid_tension.h"
 #include "models/system/spatial_loads.h"
+#include "models/system/spatial_subsystem.h"
 #include "models/tree/mass_properties.h"
-#include "models/tree/space_joint.h"
 #include "models/tree/tree.h"
 
 namespace spoke {
 namespace {
-
-using spatial::Placement;
-
-space::Pose pose_of(const Placement& placement) {
-  return {placement.position, {placement.rotation}};
-}
 
 /// Returns the rotation from the hub's frame H, whose z axis is that of the drive, to the hub's
 /// frame in the description.
@@ -80,413 +72,13 @@ space::HubLoad make_hub_load(const spatial::HubLoad& load, const space::Rotation
           load.factor};
 }
 
-/// Makes the subsystem of one tree. `centre`: the point in H about which the undeformed model turns
-/// freely. `rotor`: of a support, the mass properties of the rotor that it carries; `drive`: its.
-class SubsystemMaker {
- public:
-  SubsystemMaker(const spatial::Tree& tree, const space::Rotation& to_axis,
-                 const space::Position& centre, SharedBodies& made,
-                 const spatial::MassProperties& rotor = {}, const Drive& drive = FreeDrive{})
-      : tree_(tree),
-        to_axis_(to_axis),
-        centre_(centre),
-        rotor_(rotor),
-        drive_(drive),
-        placements_(calc_placements(tree)),
-        shared_(made) {
-    for (std::size_t k = 0; k < tree.beams.size(); ++k)
-      beams_.push_back(made.find_or_make(tree.beams[k], nodes_of(k)));
-  }
-
-  /// Makes the subsystem. `loads`: by body, as the description resolves them.
-  Subsystem<Space> make(std::vector<std::vector<BodyLoad<Space>>> loads) {
-    for (std::size_t j = 0; j < tree_.bodies.size(); ++j) find_children(j);
-    for (std::size_t j = 0; j < tree_.bodies.size(); ++j) add_body(j);
-    for (std::size_t k = 0; k < beams_.size(); ++k) add_modes(k);
-    for (const spatial::TreeLoop& loop : tree_.loops) add_loop(loop);
-    for (std::size_t j = 0; j < tree_.bodies.size(); ++j) add_joint(j);
-    for (std::size_t j = 0; j < tree_.bodies.size(); ++j)
-      made_.bodies[j].joint.slide = find_slide(j);
-    add_tension();
-    for (std::size_t j = 0; j < loads.size(); ++j) add_loads(j, std::move(loads[j]));
-    made_.root = {to_axis_ * pose_of(placements_[0]).p, to_axis_ * pose_of(placements_[0]).R};
-    const auto last = tree_.bodies.size() - 1;
-    made_.tip = place_of(last) * tip_of(last);
-    return std::move(made_);
-  }
-
- private:
-  const spatial::TreeBody& body(std::size_t j) const { return tree_.bodies[j]; }
-  const spatial::FlexibleBody* flexible(std::size_t j) const {
-    return std::get_if<spatial::FlexibleBody>(&body(j).shape);
-  }
-  const spatial::SolidPart* solid(std::size_t j) const {
-    return std::get_if<spatial::SolidPart>(&body(j).shape);
-  }
-
-  /// Returns the bodies that are parts of a beam, from its root to its tip.
-  std::vector<std::size_t> parts_of(std::size_t beam) const {
-    std::vector<std::size_t> parts;
-    for (std::size_t j = 0; j < tree_.bodies.size(); ++j)
-      if (flexible(j) && flexible(j)->beam == beam) parts.push_back(j);
-    std::sort(parts.begin(), parts.end(), [this](std::size_t a, std::size_t b) {
-      return flexible(a)->nodes.front() < flexible(b)->nodes.front();
-    });
-    return parts;
-  }
-
-  /// Returns the stations of all nodes of a beam. The last node of a part is the first of the next.
-  std::vector<double> nodes_of(std::size_t beam) const {
-    std::vector<double> nodes;
-    for (const std::size_t j : parts_of(beam)) {
-      if (!nodes.empty()) nodes.pop_back();
-      nodes.insert(nodes.end(), flexible(j)->nodes.begin(), flexible(j)->nodes.end());
-    }
-    return nodes;
-  }
-
-  /// Shares the modes that damp a beam out to its parts.
-  void add_modes(std::size_t beam) {
-    const BeamModes* modes = beams_[beam].modes.get();
-    if (!modes) return;
-    int node = 0;
-    for (const std::size_t j : parts_of(beam)) {
-      const space::FlexibleBody& body = *made_.bodies[j].body->flexible();
-      made_.bodies[j].modal = make_modal_share(*modes, body, node);
-      made_.bodies[j].modal.first = static_cast<int>(made_.modal_factors.size());
-      node += body.elements;
-    }
-    made_.modal_factors.insert(made_.modal_factors.end(), modes->factors.begin(),
-                               modes->factors.end());
-  }
-
-  /// Returns a body's frame B in the body's frame of the description.
-  space::Rotation frame_of(std::size_t j) const {
-    const space::FlexibleBody* flexible = made_.bodies[j].body->flexible();
-    return flexible ? flexible->pose.R : space::Rotation{};
-  }
-
-  struct Place {
-    space::Pose pose;
-    space::Position operator*(const space::Position& p) const { return pose.p + pose.R * p; }
-  };
-  /// Returns a body's frame B in H, joint coordinates zero.
-  Place place_of(std::size_t j) const {
-    const space::Pose at = pose_of(placements_[j]);
-    return {{to_axis_ * at.p, to_axis_ * at.R * frame_of(j)}};
-  }
-  space::Position tip_of(std::size_t j) const {
-    const space::Body& made = *made_.bodies[j].body;
-    if (made.solid()) return made.solid()->constants->tip.p;
-    return made.flexible() ? made.flexible()->nodes.back() : made.rigid()->centre;
-  }
-
-  /// Finds the children of a body in the order of the nodes that they hang at.
-  void find_children(std::size_t j) {
-    TreeBody<Space>& made = made_.bodies.emplace_back();
-    made.parent = body(j).parent;
-    for (std::size_t c = j + 1; c < tree_.bodies.size(); ++c)
-      if (body(c).parent == static_cast<int>(j)) made.children.push_back(static_cast<int>(c));
-    std::stable_sort(made.children.begin(), made.children.end(), [this](int a, int b) {
-      return body(static_cast<std::size_t>(a)).parent_node <
-             body(static_cast<std::size_t>(b)).parent_node;
-    });
-  }
-
-  /// Returns the places of loops on a body. They have the handles behind those of its children.
-  std::vector<const spatial::TreePlace*> places_on(std::size_t j) const {
-    std::vector<const spatial::TreePlace*> places;
-    for (const spatial::TreeLoop& loop : tree_.loops)
-      for (const spatial::TreePlace* place : {&loop.from, &loop.to})
-        if (place->carrier == LoopPlace::Carrier::body && place->body == static_cast<int>(j))
-          places.push_back(place);
-    return places;
-  }
-
-  LoopPlaceModel make_place(const spatial::TreePlace& place) const {
-    LoopPlaceModel made;
-    made.carrier = place.carrier;
-    made.offset = pose_of(place.placement);
-    if (place.carrier == LoopPlace::Carrier::anchor) made.anchor = static_cast<int>(place.anchor);
-    if (place.carrier != LoopPlace::Carrier::body) {
-      // Anchors have the axes of H as well; H is that of the drive.
-      made.offset = {to_axis_ * made.offset.p, to_axis_ * made.offset.R};
-      return made;
-    }
-    const auto j = static_cast<std::size_t>(place.body);
-    const std::vector<const spatial::TreePlace*> places = places_on(j);
-    made.body = place.body;
-    made.handle =
-        static_cast<int>(made_.bodies[j].children.size()) + 1 +
-        static_cast<int>(std::find(places.begin(), places.end(), &place) - places.begin());
-    const space::Rotation back = frame_of(j).inverse();
-    // The handle of a rigid body is where the place is.
-    const bool is_rigid = made_.bodies[j].body->rigid() != nullptr;
-    made.offset = {is_rigid ? space::Position(space::Position::Zero()) : back * made.offset.p,
-                   back * made.offset.R};
-    return made;
-  }
-
-  void add_loop(const spatial::TreeLoop& loop) {
-    LoopModel& made = made_.loops.emplace_back(make_loop(loop.loop, false));
-    made.owner = tree_.name;
-    made.key = tree_.key + ".loop." + std::to_string(made_.loops.size());
-    made.from = make_place(loop.from);
-    made.to = make_place(loop.to);
-  }
-
-  /// Returns the nodes or interfaces of a body's handles.
-  std::vector<int> handles_of(std::size_t j) const {
-    std::vector<int> handles{0};
-    for (const int c : made_.bodies[j].children)
-      handles.push_back(static_cast<int>(body(static_cast<std::size_t>(c)).parent_node));
-    for (const spatial::TreePlace* place : places_on(j))
-      handles.push_back(static_cast<int>(place->node));
-    return handles;
-  }
-
-  void add_body(std::size_t j) {
-    TreeBody<Space>& made = made_.bodies[j];
-    if (const spatial::FlexibleBody* part = flexible(j)) {
-      made.body = shared_.find_or_make_body(beams_[part->beam].beam, part->nodes,
-                                            tree_.beams[part->beam].reference_frame, handles_of(j));
-      return;
-    }
-    if (const spatial::SolidPart* part = solid(j)) {
-      made.body = shared_.find_or_make_solid(*part, handles_of(j));
-      return;
-    }
-    const auto& rigid = std::get<spatial::RigidBody>(body(j).shape);
-    space::RigidBody shape{rigid.mass, rigid.center, rigid.inertia, {}, body(j).is_hub};
-    for (const int c : made.children)
-      shape.outboard.emplace_back(body(static_cast<std::size_t>(c)).placement.position);
-    for (const spatial::TreePlace* place : places_on(j))
-      shape.outboard.emplace_back(place->placement.position);
-    made.body = std::make_shared<const space::Body>(space::Body{std::move(shape), nullptr});
-  }
-
-  void add_joint(std::size_t j) {
-    TreeBody<Space>& made = made_.bodies[j];
-    const space::Pose at = pose_of(body(j).placement);
-    const space::Rotation own = frame_of(j);
-    space::Joint& joint = made.joint.joint =
-        spatial::make_space_joint(body(j).joint, body(j).placement);
-    if (made.parent < 0) {
-      joint.offset = {to_axis_ * at.p, to_axis_ * at.R * own};
-    } else {
-      const auto p = static_cast<std::size_t>(made.parent);
-      const space::Rotation back = frame_of(p).inverse();
-      // The handle of a rigid parent is where the joint is.
-      const bool is_rigid = made_.bodies[p].body->rigid() != nullptr;
-      joint.offset = {is_rigid ? space::Position(space::Position::Zero()) : back * at.p,
-                      back * at.R * own};
-      const std::vector<int>& siblings = made_.bodies[p].children;
-      made.handle =
-          1 + static_cast<int>(std::find(siblings.begin(), siblings.end(), static_cast<int>(j)) -
-                               siblings.begin());
-    }
-    // Axes are given in the description's frame of the body.
-    for (space::JointPrimitive& primitive : joint.primitives)
-      primitive.axis = own.inverse() * primitive.axis;
-    made.joint.course = make_course(body(j).joint);
-    if (body(j).is_hub) made.joint.course.drive = drive_;
-  }
-
-  space::JointCourse make_course(const spatial::Joint& joint) const {
-    space::JointCourse course;
-    course.azimuth = tree_.azimuth;
-    for (int c = 0; c < count_coordinates(joint.kind); ++c) {
-      const spatial::JointCoordinate& coordinate = joint.coordinates[static_cast<std::size_t>(c)];
-      if (coordinate.motion) {
-        course.driven.push_back(spatial::make_driven_motion(*coordinate.motion));
-        continue;
-      }
-      course.efforts.push_back(coordinate.effort);
-      course.initial.push_back(coordinate.initial);
-      course.initial_speed.push_back(coordinate.initial_speed);
-    }
-    return course;
-  }
-
-  bool is_stiffened(std::size_t j) const {
-    // With mean axes a solid is stiffened by its own rotation.
-    if (const space::Solid* solid = made_.bodies[j].body->solid())
-      return solid->constants->is_stiffened &&
-             solid->constants->frame == spatial::SolidFrame::clamped;
-    const spatial::FlexibleBody* part = flexible(j);
-    return part && tree_.beams[part->beam].geometric_stiffening;
-  }
-
-  /// Finds the coordinate of a joint that slides, and its axis in the parent's frame. It must not
-  /// turn with other coordinates.
-  std::optional<space::JointSlide> find_free_slide(const space::Joint& joint) const {
-    using Kind = space::JointPrimitive::Kind;
-    std::optional<space::JointSlide> slide;
-    int coordinate = 0;
-    for (const space::JointPrimitive& primitive : joint.sequence()) {
-      if (primitive.kind == Kind::prismatic && !primitive.is_driven) {
-        if (slide) return {};
-        slide = {coordinate, joint.offset.R * primitive.axis};
-      }
-      if (!primitive.is_driven) coordinate += primitive.components();
-    }
-    if (!slide) return {};
-    for (const space::JointPrimitive& primitive : joint.sequence()) {
-      if (primitive.kind == Kind::prismatic) break;
-      const space::Position axis = joint.offset.R * primitive.axis;
-      if (primitive.kind == Kind::spherical || std::abs(axis.dot(slide->axis)) < 1.0 - 1e-9)
-        return {};
-    }
-    return slide;
-  }
-
-  /// Finds whether the joint that carries a body slides along bodies inboard, which must be beams,
-  /// none of them at an angle to it, or bent.
-  std::optional<space::JointSlide> find_slide(std::size_t j) const {
-    const TreeBody<Space>& body = made_.bodies[j];
-    if (body.parent < 0) return {};
-    std::optional<space::JointSlide> slide = find_free_slide(body.joint.joint);
-    if (!slide) return {};
-    slide->axis = place_of(static_cast<std::size_t>(body.parent)).pose.R * slide->axis;
-    bool is_along = false;
-    for (int i = body.parent; i >= 0; i = made_.bodies[static_cast<std::size_t>(i)].parent) {
-      const auto k = static_cast<std::size_t>(i);
-      if (!is_stiffened(k)) continue;
-      if (!flexible(k)) return {};
-      const double along = std::abs(place_of(k).pose.R.axes.col(0).dot(slide->axis));
-      if (!made_.bodies[k].body->flexible()->is_straight || (along > 1e-9 && along < 1.0 - 1e-9))
-        return {};
-      is_along |= along > 0.5;
-    }
-    return is_along ? slide : std::nullopt;
-  }
-
-  /// Returns mass and first moment of all bodies whose inertia a joint hands on to a body along an
-  /// axis.
-  spatial::MassProperties calc_branch_along(
-      std::size_t c, const space::Position& axis,
-      const std::vector<spatial::MassProperties>& bodies) const {
-    const std::optional<space::JointSlide>& slide = made_.bodies[c].joint.slide;
-    if (slide && std::abs(slide->axis.dot(axis)) > 0.5) return {};
-    spatial::MassProperties branch = bodies[c];
-    for (const int child : made_.bodies[c].children)
-      branch += calc_branch_along(static_cast<std::size_t>(child), axis, bodies);
-    return branch;
-  }
-
-  /// Returns for each body its mass and first moment about the hub, in the description's frame of
-  /// the hub.
-  std::vector<spatial::MassProperties> calc_masses() const {
-    std::vector<spatial::MassProperties> masses;
-    for (std::size_t j = 0; j < tree_.bodies.size(); ++j)
-      masses.push_back((body(j).is_hub ? rotor_ : calc_mass_properties(tree_, body(j)))
-                           .seen_from_outside(placements_[j]));
-    return masses;
-  }
-
-  /// Returns for each body its mass and first moment together with those of all bodies it carries.
-  std::vector<spatial::MassProperties> sum_branches(
-      std::vector<spatial::MassProperties> branches) const {
-    for (std::size_t j = branches.size(); j-- > 0;)
-      for (const int c : made_.bodies[j].children)
-        branches[j] += branches[static_cast<std::size_t>(c)];
-    return branches;
-  }
-
-  /// Finds the masses that the elements of a body carry, in B: each child hangs at a node of its
-  /// own or a shared one.
-  std::vector<space::CarriedMass> find_carried(
-      std::size_t j, const space::Rotation& to_body,
-      const std::vector<spatial::MassProperties>& branches) const {
-    const std::vector<int>& children = made_.bodies[j].children;  // children from the root outward
-    std::vector<space::CarriedMass> carried;                      // masses from the tip inward
-    carried.push_back({static_cast<int>(flexible(j)->nodes.size()) - 1});
-    for (auto c = children.rbegin(); c != children.rend(); ++c) {
-      const auto child = static_cast<std::size_t>(*c);
-      const int node = static_cast<int>(body(child).parent_node);
-      if (node == 0) break;  // no element carries it
-      if (node < carried.back().end) {
-        carried.push_back(carried.back());
-        carried.back().end = node;
-      }
-      const double mass = branches[child].mass;
-      const space::Position moment = to_axis_ * space::Position(branches[child].first_moment);
-      carried.back().mass += mass;
-      carried.back().moment += to_body * space::Position(moment - mass * centre_);
-    }
-    std::reverse(carried.begin(), carried.end());
-    return carried;
-  }
-
-  /// Finds the geometric stiffness of a solid by all that hangs at its places.
-  std::shared_ptr<const space::SolidTension> find_solid_tension(
-      std::size_t j, const space::Pose& pose,
-      const std::vector<spatial::MassProperties>& branches) const {
-    std::vector<OutboardMass> outboard;
-    for (const int c : made_.bodies[j].children) {
-      const auto child = static_cast<std::size_t>(c);
-      outboard.push_back(make_outboard_mass(body(child).parent_node, branches[child], to_axis_,
-                                            centre_, pose.R.inverse()));
-      set_handed_on(made_.bodies[child].joint.joint, outboard.back());
-    }
-    return make_solid_tension(*made_.bodies[j].body->solid()->constants,
-                              pose.R.inverse() * space::Position(pose.p - centre_), outboard);
-  }
-
-  void add_tension() {
-    const std::vector<spatial::MassProperties> masses = calc_masses();
-    const std::vector<spatial::MassProperties> branches = sum_branches(masses);
-    const bool slides =
-        std::any_of(made_.bodies.begin(), made_.bodies.end(),
-                    [](const TreeBody<Space>& body) { return body.joint.slide.has_value(); });
-    for (std::size_t j = 0; j < tree_.bodies.size(); ++j) {
-      if (!is_stiffened(j)) continue;
-      const space::Pose pose = place_of(j).pose;
-      const space::Rotation to_body = pose.R.inverse();
-      space::TensionPlace tension{pose.R, to_body * space::Position(pose.p - centre_), {}, {}};
-      if (solid(j)) {
-        tension.solid = find_solid_tension(j, pose, branches);
-      } else {
-        std::vector<spatial::MassProperties> along;  // used only where something slides
-        for (std::size_t c = 0; slides && c < branches.size(); ++c)
-          along.push_back(calc_branch_along(c, pose.R.axes.col(0), masses));
-        tension.carried = find_carried(j, to_body, slides ? along : branches);
-      }
-      made_.bodies[j].stiffening = std::move(tension);
-    }
-  }
-
-  /// Adds the loads on a body, their vectors turned to H and B.
-  void add_loads(std::size_t j, std::vector<BodyLoad<Space>> loads) {
-    for (BodyLoad<Space>& load : loads) {
-      space::Rotation R;
-      if (load.frame == spatial::LoadFrame::hub) R = to_axis_;
-      if (load.frame == spatial::LoadFrame::body) R = frame_of(j).inverse();
-      load.force = R * space::Position(load.force);
-      load.moment = R * space::Angular(load.moment);
-    }
-    made_.bodies[j].loads = std::move(loads);
-  }
-
-  const spatial::Tree& tree_;
-  space::Rotation to_axis_;
-  space::Position centre_;
-  spatial::MassProperties rotor_;
-  Drive drive_;
-  /// Placements of bodies in the frame of the description's hub.
-  std::vector<Placement> placements_;
-  SharedBodies& shared_;
-  std::vector<SharedBodies::MadeBeam> beams_;  ///< beams of the tree
-  Subsystem<Space> made_;
-};
-
 /// Returns the centre of mass of a model, undeformed and with joint coordinates zero, in H [m].
 space::Position find_mass_centre(const spatial::Hub& hub, const std::vector<spatial::Tree>& trees,
                                  const space::Rotation& to_axis) {
   double mass = hub.mass, extent = 0.0;
   space::Position moment = hub.mass * space::Position(hub.center);
   for (const spatial::Tree& tree : trees) {
-    const std::vector<Placement> placements = calc_placements(tree);
+    const std::vector<spatial::Placement> placements = calc_placements(tree);
     for (std::size_t j = 0; j < tree.bodies.size(); ++j) {
       const spatial::MassProperties body =
           calc_mass_properties(tree, tree.bodies[j]).seen_from_outside(placements[j]);
@@ -550,9 +142,9 @@ void add_support(const spatial::Model& model, const std::vector<spatial::Tree>& 
   const spatial::Tree& tree = trees.back();
   assert(tree.bodies.back().is_hub);
   system.hub = make_base(*model.support, model.hub);
-  system.subsystems.push_back(SubsystemMaker(tree, {}, space::Position::Zero(), bodies,
-                                             calc_rotor_mass(model.hub, rotor), model.hub.drive)
-                                  .make(make_body_loads(model, tree, trees.size() - 1)));
+  system.subsystems.push_back(
+      make_subsystem(tree, {.rotor = calc_rotor_mass(model.hub, rotor), .drive = model.hub.drive},
+                     make_body_loads(model, tree, trees.size() - 1), bodies));
   std::vector<TreeBody<Space>>& support = system.subsystems.back().bodies;
   move_hub_loads(model, axis_rotation(model.hub).inverse(), support.back());
   system.rotors.push_back(
@@ -581,8 +173,8 @@ System<Space> make_system(const spatial::Model& model, const std::vector<spatial
   if (model.hub.support == HubSupport::free) centre = find_mass_centre(model.hub, trees, to_axis);
   SharedBodies bodies(model.damping, control);
   for (std::size_t i = 0; i < on_hub; ++i) {
-    system.subsystems.push_back(SubsystemMaker(trees[i], to_axis, centre, bodies)
-                                    .make(make_body_loads(model, trees[i], i)));
+    system.subsystems.push_back(make_subsystem(trees[i], {.to_axis = to_axis, .centre = centre},
+                                               make_body_loads(model, trees[i], i), bodies));
     if (model.support) system.subsystems.back().rotor = 0;
   }
   if (model.support) add_support(model, trees, bodies, system);

@@ -49,7 +49,7 @@ Fault find_tree_fault(const Subsystem& subsystem, const Model& model,
                       std::set<std::string>& names) {
   if (!names.insert(subsystem.name).second)
     return {"name", "is \"" + subsystem.name + "\" as another subsystem's, expected its own"};
-  if (const Fault fault = find_fault(subsystem, base_of(subsystem, model))) return fault;
+  if (Fault fault = find_fault(subsystem, base_of(subsystem, model))) return fault;
   return find_fault(subsystem.loops, surroundings_of(subsystem, model));
 }
 
@@ -76,7 +76,7 @@ void check_model(const Model& model) {
   check_support(model);
   std::vector<Anchor> anchors;
   check_each("anchor", model.anchors, [&](const Anchor& anchor) {
-    const Fault fault = find_fault(anchor, anchors, find_mount_fault(model), false);
+    Fault fault = find_fault(anchor, anchors, find_mount_fault(model), false);
     anchors.push_back(anchor);
     return fault;
   });

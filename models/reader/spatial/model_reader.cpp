@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "models/reader/blade_choice_reader.h"
+#include "models/reader/damping.h"
 #include "models/reader/loop_reader.h"
 #include "models/reader/scenario_loads.h"
 #include "models/reader/scenario_rotor.h"

@@ -60,10 +60,41 @@ TEST_CASE("groups, displacements and rotations of a frame make the places of the
   }
 }
 
+TEST_CASE("frames place a support by its base, and the rotor by its hub") {
+  for (const auto& [hub, bodies] :
+       {std::pair{kTurnedHub, kBooms + kTower}, std::pair{kFuselageHub, kBooms + kHinges}}) {
+    const Scenario scenario = scenario_of(hub, bodies);
+    const Scene scene = make_scene(scenario, 1000);
+    Simulation simulation(scenario, kSerial);
+    simulation.run_until(0.4);
+    const Frame frame = frame_of(simulation, scene);
+    const MarkerMotion base = simulation.base_frame();
+    const auto support = static_cast<int>(scenario.space->blades.size());
+    for (std::size_t k = 0; k < scene.nodes.size(); ++k) {
+      const NodeSource& source = scene.sources[k];
+      TreeShape shape;
+      simulation.calc_shape(source.subsystem, shape);
+      const Vector p = shape.bodies[static_cast<std::size_t>(source.body)]
+                           .nodes[static_cast<std::size_t>(source.node)]
+                           .p;
+      const Vector expected = source.subsystem == support
+                                  ? Vector(base.position + base.rotation * p)
+                                  : Vector(frame.hub.position + frame.hub.rotation * p);
+      const Vector drawn = frame.hub.position + frame.hub.rotation * frame.place(scene, k);
+      CHECK((drawn - expected).norm() < 1e-12);
+    }
+    // The hub is where the last body of the support is.
+    const MarkerState end =
+        simulation.marker({support, static_cast<int>(simulation.size().bodies - 4) - 1, 0.0});
+    CHECK((end.position - frame.hub.position).norm() < 1e-12);
+  }
+}
+
 TEST_CASE("the first frame is what a simulation begins with") {
   for (const auto& [hub, bodies] :
        {std::pair{kFlyingHub, kTree}, std::pair{kFlyingHub, kMotors + kForest},
-        std::pair{kTurnedHub, kBooms + kHinges}, std::pair{kDrivenHub, kBooms + kPitch}}) {
+        std::pair{kTurnedHub, kBooms + kHinges}, std::pair{kDrivenHub, kBooms + kPitch},
+        std::pair{kTurnedHub, kBooms + kTower}, std::pair{kFuselageHub, kBooms}}) {
     const Scenario scenario = scenario_of(hub, bodies);
     const Scene scene = make_scene(scenario, 1000);
     const Frame drawn = make_first_frame(scenario, scene);

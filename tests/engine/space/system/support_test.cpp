@@ -2,6 +2,9 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
+#include "engine/simulation.h"
 #include "tests/engine/space/system/models.h"
 #include "tests/engine/space/system/runs.h"
 
@@ -52,6 +55,23 @@ TEST_CASE("a hub fixed to a free fuselage moves as the free hub that is their su
     const Eigen::VectorXd expected = deformations(b);
     CHECK((first_of(a, expected.size()) - expected).cwiseAbs().maxCoeff() < 1e-12);
   }
+}
+
+TEST_CASE("a displacement in the inertial frame begins with zero on a support, too") {
+  const std::string sensor = R"(
+[[sensor]]
+name = "root"
+quantity = "displacement"
+frame = "inertial"
+position = 0.0
+)";
+  const Scenario scenario =
+      make_scenario(make_text(kTurnedHub, kBooms, kTower + sensor), 1e-3, 1e-2);
+  Simulation simulation(scenario, {Formulation::structured, ExecutorKind::serial, 1});
+  for (const char* axis : {"x", "y", "z"})
+    CHECK(std::abs(simulation.sensor(std::string("blade1.root.") + axis)) < 1e-14);
+  simulation.run_until(1e-2);  // by the speed of the hub, whose radius is 0.1 m
+  CHECK(std::abs(simulation.sensor("blade1.root.y")) < 1e-2);
 }
 
 TEST_CASE("the formulations agree on a rotor on a support") {

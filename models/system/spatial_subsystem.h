@@ -1,0 +1,31 @@
+#pragma once
+
+// Makes one subsystem in space, with its constants, out of its tree.
+
+#include <vector>
+
+#include "models/drive.h"
+#include "models/system/shared_bodies.h"
+#include "models/system/system.h"
+#include "models/tree/tree.h"
+
+namespace spoke {
+
+/// What carries a subsystem, and what it carries itself.
+struct SubsystemSetting {
+  /// From the frame of the description's hub to H, whose z axis is that of the drive.
+  space::Rotation to_axis{};
+  /// Point about which the undeformed model turns freely, in H [m].
+  space::Position centre = space::Position::Zero();
+  /// Of a support, the mass properties of the rotor that it carries, in the hub's frame H.
+  spatial::MassProperties rotor{};
+  Drive drive = FreeDrive{};  ///< of a support, that of the rotor
+};
+
+/// Makes the subsystem of a tree; equal beams and solids are shared with those made before.
+/// `loads`: by body, as the description resolves them.
+Subsystem<Space> make_subsystem(const spatial::Tree& tree, const SubsystemSetting& setting,
+                                std::vector<std::vector<BodyLoad<Space>>> loads,
+                                SharedBodies& bodies);
+
+}  // namespace spoke
