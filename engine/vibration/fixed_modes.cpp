@@ -61,7 +61,7 @@ struct PatternMotion {
 std::string name_round(const PatternMotion& motion, int multiple, double speed, bool is_cosine) {
   const std::string order = multiple > 1 ? " order " + std::to_string(multiple) : "";
   if (motion.sense == 0) return (is_cosine ? "cosine" : "sine") + order;
-  const bool is_regressive = motion.sense > 0 == speed >= 0.0;
+  const bool is_regressive = (motion.sense > 0) == (speed >= 0.0);
   return (is_regressive ? "regressive" : "progressive") + order;
 }
 

@@ -141,7 +141,9 @@ function drawHubAxis(view) {
   context.strokeStyle = context.fillStyle = colorOf('--ink');
   context.lineWidth = 1.25;
   context.setLineDash([8, 3, 2, 3]);
-  drawArrow(context, at(times(-length, view.scene.axis)), at(times(length, view.scene.axis)));
+  const { p, R } = view.state.groups[0]; // the hub, where it is not the frame that is drawn
+  const end = turn(R, times(length, view.scene.axis));
+  drawArrow(context, at(sub(p, end)), at(add(p, end)));
   context.setLineDash([]);
 }
 
