@@ -6,6 +6,7 @@
 
 #include "engine/kernels/loop_motion.h"
 #include "engine/kernels/samples.h"
+#include "engine/space/supported_rotor.h"
 #include "engine/table/state_values.h"
 
 namespace spoke::test {
@@ -22,11 +23,17 @@ space::Position hub_moment(const space::Hub& hub) {
   return {rt(2, 1), rt(0, 2), rt(1, 0)};
 }
 
-/// Kinetic energy if the hub's twist were greater by `more`, all coordinates' velocities the same.
+double time_of(const Run<Space>& run) {
+  return static_cast<double>(run.steps()) * step_size(run.context.integrator);
+}
+
+/// Kinetic energy if the twist of the hub, or of what a support stands on, were greater by `more`,
+/// all coordinates' velocities the same.
 double kinetic_with(const space::Twist& more, Run<Space>& run) {
   StepData<Space>& data = run.context.data;
   const space::Twist kept = data.hub.twist;
   data.hub.twist += more;
+  update_rotors(run.context.system, time_of(run), data);
   double sum = hub_kinetic(run.context.system.hub, data.hub.twist);
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
     update_kinematics(run.context.system.subsystems[i], data.subsystems[i]);
@@ -105,13 +112,12 @@ template class Run<Space>;
 double calc_energy(Run<Space>& run) {
   const System<Space>& system = run.context.system;
   StepData<Space>& data = run.context.data;
-  const HubState<Space>& hub = *data.subsystems[0].hub;
+  const HubState<Space>& hub = system.rotors.empty() ? *data.subsystems[0].hub : data.hub;
   double sum = hub_kinetic(system.hub, hub.twist);
   if (system.gravity_ramp == 0.0)
     sum -= system.gravity.dot(system.hub.mass * hub.p + hub.R * hub_moment(system.hub));
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
-    update_loops(system, i, static_cast<double>(run.steps()) * step_size(run.context.integrator),
-                 data);
+    update_loops(system, i, time_of(run), data);
     const SubsystemSample<Space> sample = calc_sample(system, i, data.subsystems[i]);
     sum += sample.kinetic + sample.strain - sample.gravity;
   }

@@ -57,10 +57,10 @@ class Run {
 extern template class Run<Plane>;
 extern template class Run<Space>;
 
-/// Kinetic and potential energy of all, the hub's own included [J].
+/// Kinetic and potential energy of all, that of the hub or the fuselage included [J].
 double calc_energy(Run<Space>& run);
 /// Linear momentum, and angular momentum about the origin of space, in the inertial frame: the
-/// derivatives of the kinetic energy by the hub's twist.
+/// derivatives of the kinetic energy by the twist of the hub, or of what a support stands on.
 space::Twist calc_momentum(Run<Space>& run);
 /// Deformation and joint coordinates of all bodies.
 Eigen::VectorXd deformations(const Run<Space>& run);
