@@ -168,10 +168,13 @@ double calc_total_momentum(const SensorColumn& column, const space::Hub& hub, st
   return sum;
 }
 
-double calc_hub_reaction(const SensorColumn& column, const SystemRecord<Space>& record) {
-  space::Twist wrench = record.reaction;
-  wrench[Space::kAxial] += record.applied_torque;
-  if (column.frame == SensorFrame::inertial) wrench = record.hub_rotation * wrench;
+/// Returns what support and drive do to the hub; on a support the axle and the drive.
+double calc_hub_reaction(const SensorColumn& column, const SystemRecord<Space>& record,
+                         bool is_on_support) {
+  space::Twist wrench = is_on_support ? record.rotor.reaction : record.reaction;
+  wrench[Space::kAxial] += is_on_support ? record.rotor.applied_torque : record.applied_torque;
+  if (column.frame == SensorFrame::inertial)
+    wrench = (is_on_support ? record.rotor.rotation : record.hub_rotation) * wrench;
   return wrench[static_cast<Eigen::Index>(column.component)];
 }
 
@@ -241,7 +244,7 @@ double value_of(const SensorColumn& column, const space::Hub& hub, std::int64_t 
     case SensorQuantity::momentum:
       return calc_total_momentum(column, hub, step, data);
     case SensorQuantity::hub_reaction:
-      return calc_hub_reaction(column, of_step(data.records, step));
+      return calc_hub_reaction(column, of_step(data.records, step), !data.rotors.empty());
     default:
       return readings_of(data.subsystems[column.subsystem],
                          step)[column.places[0] + column.component];

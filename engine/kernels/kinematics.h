@@ -41,7 +41,10 @@ space::Rotation calc_rotation_to_hub(const Subsystem<Space>& subsystem,
                                      const SubsystemData<Space>& data, int body) noexcept;
 void calc_velocities(const Subsystem<Space>& subsystem, SubsystemData<Space>& data) noexcept;
 
-/// Whether a joint follows the azimuth of a hub whose rotation is an unknown.
+/// Whether a joint follows the azimuth of the hub.
+bool follows_azimuth(const Subsystem<Space>& subsystem);
+/// Whether a joint follows the azimuth of a hub that no support carries and whose rotation is an
+/// unknown.
 bool follows_free_hub(const System<Space>& system, const Subsystem<Space>& subsystem);
 
 /// Sets the prescribed motions of the joints of subsystem `i` at time t [s]; planar joints have

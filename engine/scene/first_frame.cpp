@@ -112,6 +112,19 @@ HubPose find_supported_hub(const spatial::Model& model, const Placement& base, c
   return {hub.position, hub.rotation};
 }
 
+/// Places the groups of mount and anchors. `mount`: the mount in the frame of the hub at its first
+/// angle.
+void place_carriers(const std::vector<Anchor>& anchors, const Placement& mount, const Scene& scene,
+                    Frame& frame) {
+  for (const Carrier& carrier : scene.carriers) {
+    Placement& group = frame.groups[static_cast<std::size_t>(carrier.group)];
+    group = mount;
+    if (carrier.anchor < 0) continue;
+    const Anchor& anchor = anchors[static_cast<std::size_t>(carrier.anchor)];
+    group = (anchor.frame == Anchor::Frame::hub ? Placement{} : mount) * calc_first_place(anchor);
+  }
+}
+
 }  // namespace
 
 Frame make_first_frame(const Scenario& scenario, const Scene& scene) {
@@ -119,24 +132,24 @@ Frame make_first_frame(const Scenario& scenario, const Scene& scene) {
   frame.groups.resize(static_cast<std::size_t>(scene.groups));
   frame.displacements.assign(scene.nodes.size(), Vector::Zero());
   frame.rotations = frame.displacements;
-  const std::vector<Anchor>& anchors =
-      scenario.space ? scenario.space->anchors : scenario.rotor.anchors;
-  for (const Carrier& carrier : scene.carriers)
-    if (carrier.anchor >= 0)
-      frame.groups[static_cast<std::size_t>(carrier.group)] =
-          calc_first_place(anchors[static_cast<std::size_t>(carrier.anchor)]);
-  if (!scenario.space) return frame;
+  if (!scenario.space) {
+    place_carriers(scenario.rotor.anchors, {}, scene, frame);
+    return frame;
+  }
   const std::vector<Tree> trees = build_trees(*scenario.space);
-  const Placement base = calc_base(*scenario.space);
-  if (scenario.space->support)
+  Placement base = calc_base(*scenario.space);
+  if (scenario.space->support) {
     frame.hub = find_supported_hub(*scenario.space, base, trees.back());
-  else
+    base = inverse({frame.hub.position, frame.hub.rotation}) * base;
+  } else {
     frame.hub = calc_start(scenario.space->hub);
+  }
+  place_carriers(scenario.space->anchors, base, scene, frame);
   std::size_t next = 1 + scene.carriers.size();
   for (std::size_t i = 0; i < trees.size(); ++i) {
     Placement carrier;
     if (static_cast<int>(i) == scene.support) {
-      carrier = inverse({frame.hub.position, frame.hub.rotation}) * base;
+      carrier = base;
       frame.groups[next++] = carrier;
     }
     add_motions(trees[i], carrier, frame.groups, next);

@@ -19,12 +19,13 @@
 namespace spoke {
 namespace {
 
-/// Throws if joints follow accelerations of the hub: those that a stage of rk4 finds come too late
-/// for them.
+/// Throws if joints follow accelerations of the hub about its axle: those that a stage of rk4 finds
+/// come too late for them.
 void require_azimuth_motion(const SystemContext<Space>& context) {
   if (!std::holds_alternative<Rk4>(context.integrator.method)) return;
+  if (prescribes_motion(drive_of(context.system))) return;
   for (const Subsystem<Space>& subsystem : context.system.subsystems)
-    if (follows_free_hub(context.system, subsystem))
+    if (follows_azimuth(subsystem))
       throw InputError(
           "integration.method: is \"rk4\" where a joint's motion follows the azimuth of a hub "
           "that no drive prescribes the rotation of, expected \"generalized_alpha\"");
@@ -135,7 +136,12 @@ MarkerMotion SpatialModel::base_frame(double t) const {
 
 MarkerMotion SpatialModel::carrier_frame(int anchor, double t) const {
   MarkerMotion motion = calc_carrier_frame(context_, anchor, t);
-  motion.rotation *= rotor_placement(scenario_.space->hub).rotation.transpose();
+  const spatial::Model& model = *scenario_.space;
+  const bool is_of_hub =
+      anchor >= 0 && model.anchors[static_cast<std::size_t>(anchor)].frame == Anchor::Frame::hub;
+  // What a support stands on has the axes of the description.
+  if (!model.support || is_of_hub)
+    motion.rotation *= rotor_placement(model.hub).rotation.transpose();
   return motion;
 }
 

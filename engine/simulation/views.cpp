@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <utility>
+#include <vector>
 
 #include "engine/kernels/anchor_motion.h"
 #include "engine/kernels/kinematics.h"
@@ -14,7 +15,6 @@
 #include "engine/kernels/modal_damping.h"
 #include "engine/plane/section.h"
 #include "engine/space/relative_motion.h"
-#include "engine/space/supported_rotor.h"
 #include "models/error.h"
 #include "models/support/nearest_name.h"
 
@@ -28,13 +28,25 @@ Wrench wrench_in_space(const space::Twist& wrench) {
   return {space::Position(linear(wrench)), space::Angular(angular(wrench))};
 }
 
+/// Returns the hub that an anchor, or the mount (-1), moves against: of a rotor on a support its
+/// own for anchors of the frame "hub", what the support stands on for all others.
+HubState<Plane> find_carrier_hub(const SystemContext<Plane>& context, int) {
+  return calc_hub_state(context.data);
+}
+HubState<Space> find_carrier_hub(const SystemContext<Space>& context, int anchor) {
+  const bool is_of_rotor =
+      !context.data.rotors.empty() && anchor >= 0 &&
+      context.system.anchors[static_cast<std::size_t>(anchor)].frame == Anchor::Frame::hub;
+  return is_of_rotor ? context.data.rotors.front().hub : calc_hub_state(context.data);
+}
+
 /// Returns the motion of an anchor, or of the mount (-1).
 template <class World>
 MarkerMotion calc_carrier(const SystemContext<World>& context, int anchor, double t) {
   LoopPlaceModel place;
   place.carrier = anchor < 0 ? LoopPlace::Carrier::mount : LoopPlace::Carrier::anchor;
   place.anchor = anchor;
-  const HubState<World> own = calc_hub_state(context.data);
+  const HubState<World> own = find_carrier_hub(context, anchor);
   const HubState<Space>& hub = hub_in_space(own);
   const PlaceMotion in_hub = calc_carried_place(context.system, own, place, t).motion;
   const space::Twist velocity = hub.R * in_hub.twist;
@@ -182,11 +194,12 @@ MarkerState calc_hub_frame(const SystemContext<Plane>& context, double) {
 }
 
 MarkerState calc_hub_frame(const SystemContext<Space>& context, double t) {
-  const HubState<Space> hub =
-      context.data.rotors.empty() ? calc_hub_state(context.data) : shown_hub(context.data);
+  const std::vector<RotorData<Space>>& rotors = context.data.rotors;
+  const HubState<Space> hub = rotors.empty() ? calc_hub_state(context.data) : rotors.front().hub;
   const space::Twist velocity = hub.R * hub.twist;
   const space::Twist acceleration =
-      hub.R * calc_hub_acceleration(context.system, 0, context.data, t);
+      hub.R * (rotors.empty() ? calc_hub_acceleration(context.system, 0, context.data, t)
+                              : rotors.front().acceleration);
   MarkerState frame;
   frame.velocity = linear(velocity);
   frame.angular_velocity = angular(velocity);

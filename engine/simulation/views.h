@@ -43,7 +43,7 @@ MarkerState calc_hub_frame(const SystemContext<Plane>& context, double t);
 MarkerState calc_hub_frame(const SystemContext<Space>& context, double t);
 
 /// Returns the motion of an anchor, or of the mount (-1), in the inertial frame, at time t [s]; its
-/// axes are those of H at rest.
+/// axes are those of H at rest, of what a support stands on those of the description.
 MarkerMotion calc_carrier_frame(const SystemContext<Plane>& context, int anchor, double t);
 MarkerMotion calc_carrier_frame(const SystemContext<Space>& context, int anchor, double t);
 

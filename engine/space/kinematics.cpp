@@ -131,7 +131,10 @@ DriveMotion calc_hub_rotation(const System<Space>& system, double t, std::size_t
 
 bool follows_free_hub(const System<Space>& system, const Subsystem<Space>& subsystem) {
   if (subsystem.rotor >= 0) return false;  // it follows the hub's state
-  if (prescribes_motion(system.hub.drive)) return false;
+  return !prescribes_motion(system.hub.drive) && follows_azimuth(subsystem);
+}
+
+bool follows_azimuth(const Subsystem<Space>& subsystem) {
   for (const TreeBody<Space>& body : subsystem.bodies)
     for (const space::DrivenMotion& motion : body.joint.course.driven)
       if (std::holds_alternative<spatial::AzimuthMotion>(motion)) return true;

@@ -178,7 +178,11 @@ System<Space> make_system(const spatial::Model& model, const std::vector<spatial
     if (model.support) system.subsystems.back().rotor = 0;
   }
   if (model.support) add_support(model, trees, bodies, system);
-  for (const Anchor& anchor : model.anchors) system.anchors.push_back(make_anchor(anchor, to_axis));
+  for (const Anchor& anchor : model.anchors) {
+    // What a support stands on has the axes of the description.
+    const bool is_of_base = model.support && anchor.frame == Anchor::Frame::mount;
+    system.anchors.push_back(make_anchor(anchor, is_of_base ? space::Rotation{} : to_axis));
+  }
   require_azimuth(system);
   return system;
 }

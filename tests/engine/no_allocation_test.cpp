@@ -168,6 +168,30 @@ TEST_CASE("a step of a tree in space allocates nothing, whatever the formulation
     }
 }
 
+TEST_CASE("a step of a rotor on a support allocates nothing, whatever the formulation") {
+  const std::string strut =
+      "[[support.loop]]\nname = \"strut\"\nkind = \"distance\"\n"
+      "from = { body = \"nacelle\", point = [0.2, 0.3, 0.1] }\n"
+      "to = { body = \"ground\", point = [1.0, 1.5, -0.5] }\n"
+      "[[sensor]]\nname = \"axle\"\nquantity = \"joint_reaction\"\nsubsystem = \"support\"\n"
+      "body = \"hub\"\n";
+  for (const Formulation formulation : formulations())
+    for (const char* method : {"generalized_alpha", "rk4"})
+      for (const std::string& machine :
+           {kTurnedHub + kBooms + kHinges + kTower + strut, kFuselageHub + kBooms + kHinges}) {
+        Scenario scenario = parse_scenario(make_text(machine, "", kGravity) +
+                                               "step = 1e-4\nmethod = \"" + method + "\"\n",
+                                           "machine.toml");
+        const SimulationOptions options{formulation, ExecutorKind::serial, 1};
+        CAPTURE(name_of(formulation));
+        CHECK(allocations_of_steps(scenario, options, 10) == 0);
+        Simulation simulation(scenario, options);
+        CHECK(allocations_between(allocations, [&](const StepObserver& observe) {
+                simulation.run_until(kTracedSteps * simulation.step_size(), observe);
+              }) == 0);
+      }
+}
+
 TEST_CASE("a step that makes the tension of rotation anew allocates nothing") {
   // The run goes through several of 32 speeds an octave, without a warning, which would be
   // allocated.

@@ -163,6 +163,19 @@ Scenario make_forests() {
   return scenario;
 }
 
+/// Blades and a tree on a tower, whose loads and joints all processes need.
+Scenario make_tower(const std::string& hub) {
+  const std::string sensor =
+      "[[sensor]]\nname = \"axle\"\nquantity = \"joint_reaction\"\nsubsystem = \"support\"\n"
+      "body = \"hub\"\n[[sensor]]\nquantity = \"acceleration\"\nframe = \"inertial\"\n";
+  Scenario scenario = test::make_scenario(
+      test::make_text(hub, test::kBooms + test::kHinges + test::kMotors + test::kTower,
+                      test::kGravity + sensor),
+      2e-3, 1.0, IntegrationMethod::generalized_alpha);
+  scenario.integration.duration = kSteps * scenario.integration.step;
+  return scenario;
+}
+
 struct Case {
   const char* name;
   Scenario scenario;
@@ -178,7 +191,9 @@ std::vector<Case> all_cases() {
           {"driven in space", read("articulated_rotor", {"damping.stiffness_factor=0"})},
           {"free in space", read("satellite_booms", {"blade.sections.flap_inertia=0.001",
                                                      "blade.sections.lag_inertia=0.001"})},
-          {"forests on a hub that a torque turns", make_forests()}};
+          {"forests on a hub that a torque turns", make_forests()},
+          {"driven on a tower", make_tower(test::kDrivenHub)},
+          {"turned on a tower", make_tower(test::kTurnedHub)}};
 }
 
 /// Four blades that a swashplate pitches by links, on a hub that turns as prescribed or by a

@@ -10,6 +10,7 @@
 #include "engine/scene/make_scene.h"
 #include "tests/engine/scene/shipped.h"
 #include "tests/engine/space/system/models.h"
+#include "tests/engine/vtk/vtk_numbers.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -18,27 +19,6 @@ using spatial::Vector;
 namespace {
 
 const SimulationOptions kSerial{Formulation::structured, ExecutorKind::serial, 1};
-
-/// Returns the numbers of an array of a file.
-std::vector<double> numbers_of(const std::string& file, const std::string& name) {
-  const std::size_t at = file.find("Name=\"" + name + "\"");
-  REQUIRE(at != std::string::npos);
-  const char* text = file.c_str() + file.find('\n', at);
-  std::vector<double> numbers;
-  for (char* end = nullptr;; text = end) {
-    const double number = std::strtod(text, &end);
-    if (end == text) return numbers;
-    numbers.push_back(number);
-  }
-}
-
-std::vector<Vector> vectors_of(const std::string& file, const std::string& name) {
-  const std::vector<double> numbers = numbers_of(file, name);
-  std::vector<Vector> vectors;
-  for (std::size_t k = 0; k < numbers.size(); k += 3)
-    vectors.emplace_back(numbers[k], numbers[k + 1], numbers[k + 2]);
-  return vectors;
-}
 
 int count_of(const std::string& file, const std::string& what) {
   return std::atoi(file.c_str() + file.find(what + "=\"") + what.size() + 2);
