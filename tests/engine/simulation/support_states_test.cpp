@@ -46,8 +46,8 @@ struct SupportedCase {
 std::vector<SupportedCase> supported_cases() {
   return {{"turned on a tower",
            make_text(kTurnedHub, kBooms + kHinges + kTower, kGravity + kSupportedSensors)},
-          {"driven on a tower with a strut", make_text(kDrivenHub, kBooms + kTower + kStrut,
-                                                       kRisingGravity + kSupportedSensors)},
+          {"driven on a tower with a strut",
+           make_text(kDrivenHub, kBooms + kTower + kStrut, kRisingGravity + kSupportedSensors)},
           {"fixed to a fuselage", make_text(kFuselageHub, kBooms + kHinges)}};
 }
 

@@ -37,7 +37,13 @@ std::vector<std::string> machine_texts() {
           make_text(kFuselageHub, kBooms + kHinges, kGravity)};
 }
 
-Scenario machine(const std::string& text, double step) { return make_scenario(text, step, 1.0); }
+/// Without stiffening: what bending draws in is drawn of each tree, but is in no view of a marker.
+Scenario machine(std::string text, double step) {
+  const std::string beam = "length = 2.0\n", plain = "geometric_stiffening = false\n";
+  for (std::size_t at = 0; (at = text.find(beam, at)) != std::string::npos; at += beam.size())
+    at = text.insert(at, plain).find(beam, at);
+  return make_scenario(text, step, 1.0);
+}
 
 }  // namespace
 
@@ -59,9 +65,10 @@ TEST_CASE("a VTK file has a support's nodes, and the rotor's, where views have t
       simulation.calc_shape(tree, shape);
       for (std::size_t body = 0; body < shape.bodies.size(); ++body)
         for (std::size_t node = 0; node < shape.bodies[body].nodes.size(); ++node) {
-          const double last = std::max(1.0, static_cast<double>(shape.bodies[body].nodes.size()) - 1);
-          const MarkerState marker = simulation.marker(
-              {tree, static_cast<int>(body), static_cast<double>(node) / last});
+          const double last =
+              std::max(1.0, static_cast<double>(shape.bodies[body].nodes.size()) - 1);
+          const MarkerState marker =
+              simulation.marker({tree, static_cast<int>(body), static_cast<double>(node) / last});
           CAPTURE(tree);
           CAPTURE(body);
           CHECK((points[k] - marker.position).norm() < 1e-9);
@@ -89,8 +96,7 @@ TEST_CASE("all that is drawn of a machine moves as its velocities say") {
     REQUIRE(before.size() == velocities.size());
     double largest = 0.0;
     for (std::size_t k = 0; k < before.size(); ++k)
-      largest =
-          std::max(largest, (velocities[k] - (after[k] - before[k]) / (2.0 * kStep)).norm());
+      largest = std::max(largest, (velocities[k] - (after[k] - before[k]) / (2.0 * kStep)).norm());
     CHECK(largest < 1e-3);
   }
 }

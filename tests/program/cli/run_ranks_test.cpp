@@ -33,4 +33,6 @@ TEST_CASE("a run in several processes writes the bytes of one process") {
   check("wu_haug_rotor", "2", 2);
   check("satellite_booms", "1", 3);
   check("solid_blade_rotor", "0.02", 3);
+  check("ground_resonance", "0.5", 2);
+  check("helicopter_on_gear", "0.1", 3);
 }

@@ -26,6 +26,14 @@ frame = "inertial"
 torque = [0.4, 0.5, 0.6]
 )";
 
+const std::string kStrutOfTower = R"(
+[[support.loop]]
+name = "strut"
+kind = "distance"
+from = { body = "nacelle", point = [0.2, 0.3, 0.1] }
+to = { body = "ground", point = [1.0, 1.5, -0.5] }
+)";
+
 struct Case {
   const char* name;
   std::string text;
@@ -44,6 +52,7 @@ std::vector<Case> all_cases() {
       {"forest, turned", make_text(kTurnedHub, kForest, kGravity + kDamping)},
       {"blades on a tower",
        make_text(kTurnedHub, kBooms + kHinges + kPitch, kTower + kRisingGravity + kHubLoads)},
+      {"blades on a tower with a strut", make_text(kDrivenHub, kBooms, kTower + kStrutOfTower)},
       {"blades on a fuselage", make_text(kFuselageHub, kBooms + kHinges, kDamping + kHubLoads)},
       {"motors, driven",
        make_text(kDrivenHub, kMotors + kTree + kForest, kRisingGravity + kDamping)}};

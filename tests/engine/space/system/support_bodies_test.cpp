@@ -91,8 +91,7 @@ TEST_CASE("a stop of a support's joint holds what turns against it") {
       "damping = 0.1\ntorque = 20.0\n"
       "stop = { lower = -0.05, upper = 0.05, stiffness = 4e3, damping = 20.0, width = 0.01 }\n");
   const auto method = IntegrationMethod::generalized_alpha;
-  Simulation free =
-      make_tower(tower_with("torque = 20.0\n"), method, Formulation::structured, "");
+  Simulation free = make_tower(tower_with("torque = 20.0\n"), method, Formulation::structured, "");
   free.run_until(0.3);
   const std::string column = "support.joint2";
   CHECK(std::abs(free.sensor(column)) > 0.2);

@@ -55,7 +55,8 @@ std::string make_arm(const std::string& parent) {
 }
 const std::string kArm = "[[subsystem]]\nname = \"arm\"\n" + make_arm("hub");
 
-Simulation simulate_limit(const std::string& text, IntegrationMethod method, Formulation formulation) {
+Simulation simulate_limit(const std::string& text, IntegrationMethod method,
+                          Formulation formulation) {
   Scenario scenario = make_scenario(text, 1e-3, kLimitSeconds, method);
   scenario.integration.tolerance = 1e-13;
   return Simulation(scenario, {formulation, ExecutorKind::serial, 1});
@@ -84,8 +85,7 @@ void check_same(const std::string& supported, const std::string& tree, int arms)
       CHECK(b.marker({0, 1, 0.0}).velocity.norm() > 0.01);
       for (int body = 0; body < 3; ++body)
         CHECK(difference_of(a.marker({arms, body, 0.0}), b.marker({0, body, 0.0})) < 1e-10);
-      if (arms > 0)
-        CHECK(difference_of(a.marker({0, 0, 0.0}), b.marker({0, 3, 0.0})) < 1e-10);
+      if (arms > 0) CHECK(difference_of(a.marker({0, 0, 0.0}), b.marker({0, 3, 0.0})) < 1e-10);
     }
 }
 
@@ -108,8 +108,8 @@ TEST_CASE("a rotor of a rigid arm on a support is a branch of the tree") {
 }
 
 TEST_CASE("a support on a fuselage under a rotor that does not turn is the tree on a free hub") {
-  const std::string tower = without_stiffening(replace_all(
-      kTower.substr(kTower.find("[[support.body]]")), "\"ground\"", "\"fuselage\""));
+  const std::string tower = without_stiffening(
+      replace_all(kTower.substr(kTower.find("[[support.body]]")), "\"ground\"", "\"fuselage\""));
   const std::string fuselage = kFuselageHub.substr(kFuselageHub.find("[support]"));
   check_same(make_text(kStandingHub, kArm + fuselage + tower),
              make_text(kFreeHub, as_subsystem(tower, "fuselage") + make_arm("disc")), 1);
@@ -197,7 +197,7 @@ TEST_CASE("a rotor on a support that does not give is the rotor on an axle, on a
         const auto run = [&](const std::string& support) {
           Simulation simulation =
               simulate_limit(make_text(hub + mount, kBooms + kHinges + support, kGravity),
-                       IntegrationMethod::rk4, formulation);
+                             IntegrationMethod::rk4, formulation);
           simulation.run_until(0.5 * kLimitSeconds);
           return simulation;
         };

@@ -28,7 +28,8 @@ std::string strut_on(const std::string& to) {
          to + " }\n";
 }
 
-Simulation simulate_loops(const std::string& text, Formulation formulation = Formulation::structured,
+Simulation simulate_loops(const std::string& text,
+                          Formulation formulation = Formulation::structured,
                           IntegrationMethod method = IntegrationMethod::rk4) {
   Scenario scenario = make_scenario(text, 1e-3, kLoopSeconds, method);
   scenario.integration.tolerance = 1e-12;
@@ -61,9 +62,8 @@ Vector3d strut_head(const Simulation& simulation) {
 }  // namespace
 
 TEST_CASE("a strut from the ground holds a support, whatever the formulation") {
-  const std::string text =
-      make_text(kTurnedHub, kBooms + strut_on("body = \"ground\", point = [1.0, 1.5, -0.5]"),
-                kGravity);
+  const std::string text = make_text(
+      kTurnedHub, kBooms + strut_on("body = \"ground\", point = [1.0, 1.5, -0.5]"), kGravity);
   const Vector3d foot(1.0, 1.5, -0.5);
   for (const IntegrationMethod method :
        {IntegrationMethod::rk4, IntegrationMethod::generalized_alpha}) {
@@ -89,8 +89,7 @@ TEST_CASE("an anchor on the ground has the ground's axes, whatever the hub's axi
   for (const std::string& mount :
        {std::string(), std::string("[hub.mount]\nrotation = { constant = [0, 0.3, 0.2], "
                                    "amplitude = [0.1, 0, 0], frequency = 5.0 }\n")}) {
-    const Simulation a =
-        run_loops(make_text(kTurnedHub + mount, kBooms + on_ground, kGravity));
+    const Simulation a = run_loops(make_text(kTurnedHub + mount, kBooms + on_ground, kGravity));
     const Simulation b =
         run_loops(make_text(kTurnedHub + mount, kBooms + on_anchor, kGravity + foot));
     CHECK(motion_difference(a, b) < 1e-11);
@@ -104,11 +103,12 @@ TEST_CASE("an anchor on the ground has the ground's axes, whatever the hub's axi
 }
 
 TEST_CASE("an anchor that moves carries the foot of a strut along, and its work counts") {
-  const std::string text = make_text(
-      kTurnedHub, kBooms + strut_on("anchor = \"foot\", point = [0.2, 0.1, -0.1]"),
-      kGravity + "[[anchor]]\nname = \"foot\"\nframe = \"mount\"\n"
-                 "motion = { translation = { constant = [0.8, 1.4, -0.4], amplitude = [0.02, 0, "
-                 "0.05], frequency = 9.0 } }\n");
+  const std::string text =
+      make_text(kTurnedHub, kBooms + strut_on("anchor = \"foot\", point = [0.2, 0.1, -0.1]"),
+                kGravity +
+                    "[[anchor]]\nname = \"foot\"\nframe = \"mount\"\n"
+                    "motion = { translation = { constant = [0.8, 1.4, -0.4], amplitude = [0.02, 0, "
+                    "0.05], frequency = 9.0 } }\n");
   const auto foot_of = [](double t) {
     return Vector3d(1.0 + 0.02 * std::sin(9.0 * t), 1.5, -0.5 + 0.05 * std::sin(9.0 * t));
   };
@@ -131,17 +131,17 @@ TEST_CASE("a loop of a subsystem on a support closes on the hub and on anchors t
   };
   const std::string horn =
       "[[anchor]]\nname = \"horn\"\nframe = \"hub\"\n"
-      "motion = { translation = { constant = [0.4, 0.1, 0.3] }, rotation = { constant = [0, 0, 0.5] "
+      "motion = { translation = { constant = [0.4, 0.1, 0.3] }, rotation = { constant = [0, 0, "
+      "0.5] "
       "} }\n";
   const std::string on_hub = "body = \"hub\", point = [0.5, 0.2, 0.6]";
   // The same point in the axes of the anchor.
-  const Vector3d in_horn =
-      Eigen::AngleAxisd(-0.5, Vector3d::UnitZ()) * Vector3d(0.1, 0.1, 0.3);
+  const Vector3d in_horn = Eigen::AngleAxisd(-0.5, Vector3d::UnitZ()) * Vector3d(0.1, 0.1, 0.3);
   const std::string on_horn = "anchor = \"horn\", point = [" + std::to_string(in_horn.x()) + ", " +
                               std::to_string(in_horn.y()) + ", 0.3]";
   for (const Formulation formulation : formulations()) {
-    const Simulation a = run_loops(
-        make_text(kTurnedHub, pendulum(on_hub) + kBooms + kTower, kGravity), formulation);
+    const Simulation a =
+        run_loops(make_text(kTurnedHub, pendulum(on_hub) + kBooms + kTower, kGravity), formulation);
     const Simulation b = run_loops(
         make_text(kTurnedHub, pendulum(on_horn) + kBooms + kTower, kGravity + horn), formulation);
     CHECK(motion_difference(a, b) < 1e-5);  // the point is written with six digits

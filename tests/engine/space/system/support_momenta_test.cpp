@@ -78,7 +78,7 @@ const std::string kTowerPush =
 
 /// Change of the energy, less work and plus what was dissipated, over a run [J].
 double calc_machine_residual(const System<Space>& system, const Method& method,
-                     Formulation formulation = Formulation::structured) {
+                             Formulation formulation = Formulation::structured) {
   RunSetup setup{method};
   setup.formulation = formulation;
   Run<Space> run(system, setup);

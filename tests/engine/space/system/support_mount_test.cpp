@@ -17,7 +17,7 @@ namespace {
 constexpr double kGroundSeconds = 0.1;
 
 Simulation run_ground(const std::string& text, Formulation formulation = Formulation::structured,
-               IntegrationMethod method = IntegrationMethod::rk4) {
+                      IntegrationMethod method = IntegrationMethod::rk4) {
   Scenario scenario = make_scenario(text, 1e-3, kGroundSeconds, method);
   scenario.integration.tolerance = 1e-12;
   Simulation simulation(scenario, {formulation, ExecutorKind::serial, 1});
@@ -27,7 +27,7 @@ Simulation run_ground(const std::string& text, Formulation formulation = Formula
 
 /// Returns the largest difference of the columns that begin with one of these names.
 double column_difference(const Simulation& a, const Simulation& b,
-                          std::initializer_list<const char*> names) {
+                         std::initializer_list<const char*> names) {
   double largest = 0.0;
   for (std::size_t k = 0; k < a.sensor_names().size(); ++k)
     for (const char* name : names)
@@ -72,10 +72,10 @@ TEST_CASE("a ground at constant speed deforms nothing") {
   for (const IntegrationMethod method :
        {IntegrationMethod::rk4, IntegrationMethod::generalized_alpha}) {
     const Simulation still = run_ground(make_text(kTurnedHub, kBooms + kHinges + kTower, kGravity),
-                                 Formulation::structured, method);
+                                        Formulation::structured, method);
     const Simulation moving =
         run_ground(make_text(kTurnedHub + flight, kBooms + kHinges + kTower, kGravity),
-            Formulation::structured, method);
+                   Formulation::structured, method);
     CHECK(column_difference(still, moving, {"blade", "support", "hub.angle", "hub.speed"}) < 1e-9);
     const Eigen::Vector3d way = moving.hub_pose().position - still.hub_pose().position;
     CHECK((way - Eigen::Vector3d(30, 0, 10) * kGroundSeconds).norm() < 1e-10);
@@ -109,8 +109,10 @@ TEST_CASE("a ground that turns about the axle of a rigid support is a drive") {
                                 "drive = { kind = \"fixed\" }\n"
                                 "mount = { rotation = { rate = [0, 0, 4.0] } }\n"};
   for (const Formulation formulation : formulations()) {
-    const Simulation driven = run_ground(make_text(hub + drives[0], kBooms + post, kGravity), formulation);
-    const Simulation carried = run_ground(make_text(hub + drives[1], kBooms + post, kGravity), formulation);
+    const Simulation driven =
+        run_ground(make_text(hub + drives[0], kBooms + post, kGravity), formulation);
+    const Simulation carried =
+        run_ground(make_text(hub + drives[1], kBooms + post, kGravity), formulation);
     CHECK(column_difference(driven, carried, {"blade1.tip", "blade2.tip"}) < 1e-10);
     CHECK(column_difference(driven, carried, {"blade", "energy.strain", "hub.torque"}) < 1e-8);
     CHECK(carried.sensor("hub.speed") == 0.0);

@@ -104,8 +104,8 @@ TEST_CASE("axle and ground of a support bear the weight at rest, and its moment"
 
 TEST_CASE("axle and ground of a support give the momentum that a turning rotor has") {
   constexpr double kStep = 1e-4;
-  Scenario scenario = make_scenario(
-      make_text(kTurnedHub, kBooms + kTower, kGravity + kWrenchSensors), kStep, 1.0);
+  Scenario scenario =
+      make_scenario(make_text(kTurnedHub, kBooms + kTower, kGravity + kWrenchSensors), kStep, 1.0);
   Simulation simulation(scenario, kSensorOptions);
   simulation.run_until(0.05);
   std::vector<Vector3d> all, rotor;
@@ -124,7 +124,8 @@ TEST_CASE("axle and ground of a support give the momentum that a turning rotor h
     to_space = simulation.hub_frame().rotation;
   }
   const double masses = kHubMass + 2 * 2.0 + 2.0 + 1.5;
-  CHECK((ground.force - (rate_of(all, kStep) - masses * kField)).norm() < 1e-4 * ground.force.norm());
+  CHECK((ground.force - (rate_of(all, kStep) - masses * kField)).norm() <
+        1e-4 * ground.force.norm());
   CHECK((axle.force - (rate_of(rotor, kStep) - (kHubMass + 2 * 2.0) * kField)).norm() <
         1e-4 * axle.force.norm());
   CHECK((of_hub.force - axle.force).norm() < 1e-9 * axle.force.norm());

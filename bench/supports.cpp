@@ -1,0 +1,128 @@
+// What does a support cost, and what do two threads gain where one carries the rotor? Whole steps
+// through Simulation::run_until, without an observer, of models/nrel_5mw_turbine.toml: tower,
+// nacelle, and a rotor whose blades are the work. Beside it the rotor alone, the same but for the
+// support, its axle at rest. Both serial and by "auto" on two threads, all in turns.
+//
+// The steps are those from 2 s on, when blades and tower move; a simulation goes back there before
+// each of its turns. The ratio of evaluations says what of the ratio of steps is one of iterations.
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "bench/compare/interleaved.h"
+#include "bench/progress.h"
+#include "bench/questions.h"
+#include "engine/simulation.h"
+#include "graph/machine/duration_text.h"
+
+namespace spoke::bench {
+namespace {
+
+constexpr double kBegin = 2.0;  // s
+constexpr int kSteps = 200;
+constexpr double kMostCost = 1.35, kLeastSpeedup = 1.7;
+
+Scenario read_turbine() {
+  Scenario scenario =
+      read_scenario(std::filesystem::path(SPOKE_MODELS_DIR) / "nrel_5mw_turbine.toml");
+  scenario.sensors.clear();
+  return scenario;
+}
+
+/// Returns a rotor without what carries it.
+Scenario without_support(Scenario scenario) {
+  scenario.space->support.reset();
+  scenario.space->subsystems.pop_back();
+  return scenario;
+}
+
+/// A simulation that makes the same steps over and over.
+class SupportSteps {
+ public:
+  SupportSteps(const Scenario& scenario, ExecutorKind kind, int threads)
+      : simulation_(scenario, {Formulation::structured, kind, threads}) {
+    simulation_.run_until(kBegin);
+    start_ = simulation_.save();
+    // Until an executor that chooses has chosen.
+    for (int k = 0; k < (kind == ExecutorKind::automatic ? 20 : 1); ++k) {
+      go_back();
+      run();
+    }
+    evaluations_ = static_cast<double>(simulation_.evaluations() - start_.evaluations) / kSteps;
+    hash_ = simulation_.state_hash();
+  }
+
+  void go_back() { simulation_.restore(start_); }
+  void run() {
+    simulation_.run_until(static_cast<double>(start_.steps + kSteps) * simulation_.step_size());
+  }
+  double evaluations_per_step() const { return evaluations_; }
+  std::uint64_t hash() const { return hash_; }
+
+ private:
+  Simulation simulation_;
+  SavedState start_;
+  double evaluations_ = 0.0;
+  std::uint64_t hash_ = 0;
+};
+using SupportStepsPointer = std::shared_ptr<SupportSteps>;
+
+SupportStepsPointer make_steps(const Scenario& scenario, int threads) {
+  show_progress((scenario.space->support ? "turbine, " : "rotor alone, ") +
+                std::to_string(threads) + " threads: building");
+  return std::make_shared<SupportSteps>(
+      scenario, threads > 1 ? ExecutorKind::automatic : ExecutorKind::serial, threads);
+}
+
+Alternative make_alternative(std::string name, const SupportStepsPointer& steps, int reference) {
+  return {std::move(name), [steps] { steps->run(); }, [steps] { steps->go_back(); }, 1.0 / kSteps,
+          reference};
+}
+
+/// Returns the speedup over the reference: median and quartiles.
+std::string speedup_text(Timing timing) {
+  const double low = 1.0 / timing.ratio_high, high = 1.0 / timing.ratio_low;
+  timing.ratio = 1.0 / timing.ratio;
+  timing.ratio_low = low;
+  timing.ratio_high = high;
+  return ratio_with_spread(timing);
+}
+
+}  // namespace
+
+void measure_supports(const QuestionOptions& options, Report& report) {
+  const Scenario turbine = read_turbine(), rotor = without_support(turbine);
+  const std::vector<SupportStepsPointer> steps{make_steps(rotor, 1), make_steps(turbine, 1),
+                                               make_steps(rotor, 2), make_steps(turbine, 2)};
+  for (const std::size_t k : {0, 1})
+    if (steps[k]->hash() != steps[k + 2]->hash())
+      throw std::runtime_error("steps on two threads end in another state than serial ones");
+  const std::vector<Timing> timings =
+      measure({make_alternative("rotor alone, serial", steps[0], 0),
+               make_alternative("turbine, serial", steps[1], 0),
+               make_alternative("rotor alone, auto on 2 threads", steps[2], 0),
+               make_alternative("turbine, auto on 2 threads", steps[3], 1)},
+              options.quick ? Effort{3, 0.0, 1.0} : Effort{31, 0.0, 20.0});
+  Table table{"The NREL 5 MW turbine and its rotor alone, whole steps; all in turns",
+              {"model", "evaluations", "a step", "/ rotor alone", "speedup", "rounds"},
+              {}};
+  for (std::size_t k = 0; k < timings.size(); ++k) {
+    const Timing& timing = timings[k];
+    table.rows.push_back({timing.name, figure(steps[k]->evaluations_per_step()),
+                          graph::duration_text(timing.least),
+                          k == 1 ? ratio_with_spread(timing) : "",
+                          k >= 2 ? speedup_text(timing) : "", std::to_string(timing.rounds)});
+    report.add_timing("nrel_5mw_turbine", timing);
+  }
+  report.add_table(table);
+  report.add_target(
+      at_most("turbine / its rotor alone, a step, times", timings[1].ratio, kMostCost));
+  report.add_target(
+      at_least("turbine, auto on 2 threads / serial", 1.0 / timings[3].ratio, kLeastSpeedup));
+}
+
+}  // namespace spoke::bench
