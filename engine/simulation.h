@@ -193,7 +193,7 @@ class SPOKE_EXPORT Simulation {
   /// scenario, in the inertial frame. Throws InputError if there is none.
   MarkerMotion anchor_frame(int anchor) const;
   /// Returns the motion of the frame in which the hub turns about its axle, likewise: the hub's at
-  /// an angle of 0.
+  /// an angle of 0; where there is a support, that of what it stands on.
   MarkerMotion mount_frame() const;
   /// Returns the deformation of a body. Throws InputError if there is none; both numbers count from
   /// 0, in space blades before subsystems.
