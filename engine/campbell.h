@@ -19,7 +19,8 @@ struct CampbellOptions {
   /// Number of modes to follow, as in ModeOptions; none: as many as there are, up to `most`.
   std::optional<int> count = std::nullopt;
   int most = 6;
-  ModeFrame frame = ModeFrame::turning;
+  /// None: `fixed` for a rotor on a support, else `turning`.
+  std::optional<ModeFrame> frame = std::nullopt;
   int harmonics = 6;  ///< number of excitation lines, from once per revolution on
   int threads = 0;    ///< among which speeds are distributed; 0: all that are available
   /// Called on the calling thread with the number of speeds that are done. An exception that it

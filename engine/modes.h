@@ -32,7 +32,8 @@ struct ModeOptions {
   /// the motion of the hub is prescribed; otherwise of the whole model. 1 or more; none: 10, or as
   /// many as there are. In the other frames: of the whole model.
   std::optional<int> count = std::nullopt;
-  ModeFrame frame = ModeFrame::turning;
+  /// None: `fixed` for a rotor on a support, else `turning`.
+  std::optional<ModeFrame> frame = std::nullopt;
 };
 
 /// Where the kinetic energy of a mode is, in shares of its sum over lumped masses: of the motions
@@ -41,6 +42,7 @@ struct ModeOptions {
 struct ModeEnergy {
   double flap = 0.0, lag = 0.0, axial = 0.0, torsion = 0.0;
   double hub = 0.0;
+  double support = 0.0;        ///< of the motions of the bodies of a support
   std::vector<double> bodies;  ///< of the motions relative to the hub, by ModesResult::bodies
 };
 

@@ -12,6 +12,8 @@
 #include "engine/steady/derivatives.h"
 #include "engine/steady/differences.h"
 #include "engine/steady/free_motion.h"
+#include "engine/steady/linear_support.h"
+#include "engine/steady/supported_model.h"
 #include "models/error.h"
 
 namespace spoke::steady {
@@ -254,12 +256,13 @@ Eigen::VectorXcd LinearModel::motion_of(std::size_t i, const Eigen::VectorXcd& y
                                         const Eigen::VectorXcd& hub) const {
   const LinearSubsystem& own = subsystem(i);
   assert(y.size() == own.M.rows());
-  Eigen::VectorXcd q = own.basis.size() > 0 ? Eigen::VectorXcd(own.basis * y) : y;
+  Eigen::VectorXcd q = own.basis.rows() > 0 ? Eigen::VectorXcd(own.basis * y) : y;
   if (is_coupled() && couplings[i].following.size() > 0) q += couplings[i].following * hub;
   return q;
 }
 
 LinearModel linearize(const Equilibrium& equilibrium, SteadyModel& model, HubFreedom freedom) {
+  if (SupportedModel* machine = model.on_support()) return linearize_on(*machine, equilibrium);
   assert(equilibrium.q.size() == model.subsystems() &&
          equilibrium.alike.size() == model.subsystems());
   const std::vector<int> free = list_components(model, freedom);

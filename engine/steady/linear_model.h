@@ -3,6 +3,8 @@
 // A model linearised about its steady rotation, in the frame that turns with the hub:
 // M x'' + C x' + K x = 0, with constant matrices.
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "engine/steady/find_equilibrium.h"
@@ -46,6 +48,20 @@ struct HubCoupling {
   Eigen::MatrixXd following{};
 };
 
+/// A support that moves the hub of a rotor: small motions z of its base, if that is free, of its
+/// independent coordinates, and of the axle, if that turns freely.
+struct LinearSupport {
+  /// By it z moves the hub, x = J z, along the axes that the hub has at azimuth zero but which
+  /// stand.
+  Eigen::MatrixXd J{};
+  Eigen::MatrixXd M{}, C{}, K{};     ///< of the support alone, on which the steady wrench acts
+  Eigen::MatrixXd motion{};          ///< by which z moves all coordinates of the support
+  Eigen::VectorXd step{};            ///< by which each of z was moved [m, rad]
+  std::vector<std::string> of{};     ///< by entry of z: the body, or the joint, that it moves
+  std::vector<std::string> names{};  ///< of the entries: "support / tower / node 3 / w"
+  std::vector<bool> turns{};         ///< by entry: whether it is an angle
+};
+
 /// The matrices of a model. Subsystems meet at the hub only, whose free coordinates are small
 /// motions in its steady frame: places and rotations. There are none where support and drive
 /// prescribe its motion.
@@ -58,6 +74,9 @@ struct LinearModel {
   std::vector<std::size_t> alike;
   RoundOff round_off = {};  ///< of the hub's free coordinates
   double rate = 1.0;        ///< velocities were moved by `rate` times the steps [1/s]
+  /// What carries the hub. The support is the last subsystem, all of whose coordinates follow
+  /// (HubCoupling::following) those of the hub once the rotor stands on it.
+  std::optional<LinearSupport> support = std::nullopt;
 
   bool is_coupled() const { return M.rows() > 0; }
   const LinearSubsystem& subsystem(std::size_t i) const { return subsystems[alike[i]]; }
@@ -84,8 +103,13 @@ std::vector<int> list_components(const SteadyModel& model, HubFreedom freedom);
 /// there; K and D of deformations are the model's own constants; the rest of K and C are
 /// differences of the forces, see calc_derivatives(). Of loops only the motions count that leave
 /// their rigid rows closed, with the forces of these rows held. Throws InputError if loops hold the
-/// hub.
+/// hub. A rotor on a support is linearised with all components of its hub, see stand_on().
 LinearModel linearize(const Equilibrium& equilibrium, SteadyModel& model,
                       HubFreedom freedom = HubFreedom::described);
+
+/// Puts a rotor on its support: coordinates of the hub become z, and its matrices those of the
+/// support + J^T (those of the rotor) J. The rotor's must be along axes that stand: those of a
+/// rotor at rest are.
+void stand_on(const LinearSupport& support, LinearModel& rotor);
 
 }  // namespace spoke::steady

@@ -133,8 +133,12 @@ struct SteadyOptions {
   Instant instant = Instant::end;
   /// Whether gravity and loads of constant direction count along the axis only even at rest.
   bool is_axial = false;
+  /// Whether they count whole, as they are at azimuth zero, even where the hub turns.
+  bool is_whole = false;
   bool has_outputs = false;  ///< whether the scenario's sensors are to be read
 };
+
+class SupportedModel;
 
 class SteadyModel {
  public:
@@ -143,6 +147,12 @@ class SteadyModel {
   SteadyModel(const SteadyModel&) = delete;
   SteadyModel& operator=(const SteadyModel&) = delete;
 
+  /// Returns this model if it is a rotor on a support, else null.
+  virtual SupportedModel* on_support() { return nullptr; }
+  const SupportedModel* on_support() const { return const_cast<SteadyModel*>(this)->on_support(); }
+  /// Whether a subsystem is a support: it is in the frame of its base, which stands, rather than in
+  /// that of the hub.
+  virtual bool stands(std::size_t) const { return false; }
   virtual std::size_t subsystems() const = 0;
   virtual const std::string& name_of(std::size_t subsystem) const = 0;
   virtual const std::vector<std::string>& body_names(std::size_t subsystem) const = 0;
@@ -195,6 +205,9 @@ class SteadyModel {
   /// their carriers, see root_loads().
   virtual Eigen::VectorXd accelerations(std::size_t subsystem) = 0;
   virtual SubsystemMatrices matrices(std::size_t subsystem) = 0;
+  /// Returns the twist of a body's frame, in it: columns for the twist of the hub, then for the
+  /// velocities of the coordinates.
+  virtual Eigen::MatrixXd twists(std::size_t subsystem, int body) = 0;
 
   /// Returns the rows of the subsystem's loops.
   virtual const std::vector<ClosureRow>& closure_rows(std::size_t subsystem) const = 0;
@@ -246,7 +259,8 @@ class SteadyModel {
 /// Makes the model of a scenario in steady rotation. Loads, motors and prescribed joints have the
 /// values of their curves at options.instant, pitch by azimuth its mean. Where the hub turns,
 /// gravity and loads of constant direction count with their part along the axis. Where the hub is
-/// free, gravity does not count, since all parts fall alike. Throws InputError like Simulation.
+/// free, gravity does not count, since all parts fall alike. A rotor on a support is a
+/// SupportedModel. Throws InputError like Simulation.
 std::unique_ptr<SteadyModel> make_steady_model(const Scenario& scenario,
                                                const SteadyOptions& options);
 

@@ -80,7 +80,8 @@ SteadySystem<World>::SteadySystem(const SystemMaker<World>& maker,
   hub_ = context_.system.hub;
   for (int c = 0; c < World::kTwist; ++c)
     if (!is_prescribed(hub_, c)) free_.push_back(c);
-  loads_.emplace(context_.system, speed_ != 0.0 || options.is_axial, options.instant);
+  loads_.emplace(context_.system, !options.is_whole && (speed_ != 0.0 || options.is_axial),
+                 options.instant);
   hold_anchors(context_.system, speed_ != 0.0, options.instant);
   context_.system.hub.support = HubSupport::axle;
   hold_hub();
@@ -448,6 +449,12 @@ SubsystemMatrices SteadySystem<World>::matrices(std::size_t subsystem) {
   rotary(hub) -= stiffening.inertia;
   result.mass.topLeftCorner(kHub, kHub) += hub;
   return result;
+}
+
+template <class World>
+Eigen::MatrixXd SteadySystem<World>::twists(std::size_t subsystem, int body) {
+  assert(subsystem < subsystems());
+  return calc_twists(subsystem).middleRows(World::kTwist * body, World::kTwist);
 }
 
 template <class World>

@@ -61,6 +61,7 @@ class SteadySystem final : public SteadyModel {
   }
   Eigen::VectorXd accelerations(std::size_t subsystem) override;
   SubsystemMatrices matrices(std::size_t subsystem) override;
+  Eigen::MatrixXd twists(std::size_t subsystem, int body) override;
   const std::vector<ClosureRow>& closure_rows(std::size_t subsystem) const override {
     return rows_[subsystem];
   }

@@ -9,6 +9,7 @@
 
 #include "engine/vibration/eigenvalues.h"
 #include "engine/vibration/multi_blade.h"
+#include "engine/vibration/support_names.h"
 #include "models/error.h"
 
 namespace spoke::vibration {
@@ -41,9 +42,12 @@ struct Fixed {
 FixedFrame make_frame(const Linearised& all) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < all.model.subsystems(); ++i) names.push_back(all.model.name_of(i));
-  return make_fixed_frame(
+  const FixedFrame rotor = make_fixed_frame(
       all.linear, all.model.azimuths(), names,
       make_standing_axes(all.model.free_components(), all.model.is_spatial(), all.model.speed()));
+  if (!all.linear.support) return rotor;
+  const steady::LinearSupport& support = *all.linear.support;
+  return stand_on(rotor, support.J, {support.M, support.C, support.K});
 }
 
 /// The motion of a pattern in a mode: that of a blade, y exp(i (w t + n psi_b)) as it turns along.
@@ -146,6 +150,7 @@ struct Unnumbered {
   double of_hub = 0.0;
   double magnitude = 0.0;  ///< of the root in the blades' frame [rad/s]
   std::string kind;
+  bool is_of_support = false;
 };
 
 Unnumbered describe(const Root& root, const Fixed& fixed, std::map<std::string, KindNames>& kinds) {
@@ -160,6 +165,11 @@ Unnumbered describe(const Root& root, const Fixed& fixed, std::map<std::string, 
     found.pattern = k;
   }
   found.magnitude = std::hypot(root.s.real(), found.motion.rate);
+  if (fixed.all.linear.support && calc_mass(hub, fixed.frame.model.M) > found.motion.mass) {
+    found.is_of_support = true;
+    found.kind = name_support_motion(hub, fixed.all);
+    return found;
+  }
   const bool is_of_hub =
       fixed.frame.patterns.empty() || (found.of_hub > 0.5 && found.motion.mass < 0.25);
   if (is_of_hub) {
@@ -219,7 +229,7 @@ Mode make_fixed_mode(const Root& root, const Unnumbered& found, const Fixed& fix
           ? "all"
           : name_subsystems(find_like(fixed.first_of(found.pattern), all.linear.alike), all.model);
   const VectorXcd hub = root.x.head(fixed.frame.model.M.rows());
-  set_hub_motion(hub, all.model, mode);
+  set_hub_motion(hub, all, mode);
   EnergySum energies(all);
   for (std::size_t i = 0; i < all.model.subsystems(); ++i) {
     const VectorXcd y = fixed.frame.motion_of(i, root.x);
@@ -254,11 +264,13 @@ void add_fixed_modes(const ModeCount& count, const Linearised& all, ModesResult&
   std::vector<Unnumbered> modes;
   for (const Root& root : roots) modes.push_back(describe(root, fixed, kinds));
   const std::vector<int> numbers = number(modes);
-  Numbering rigid, hub;
+  Numbering rigid, hub, support;
   for (std::size_t k = 0; k < roots.size() && std::cmp_less(k, wanted); ++k) {
     Mode mode = make_fixed_mode(roots[k], modes[k], fixed);
     if (goes_on(roots[k]))
       rigid.name("rigid motion", mode);
+    else if (modes[k].is_of_support)
+      support.name_further(mode.kind, mode);
     else if (mode.kind == "hub")
       hub.name(mode.kind, mode);
     else

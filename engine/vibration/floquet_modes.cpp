@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/vibration/floquet.h"
+#include "engine/vibration/support_names.h"
 #include "models/error.h"
 
 namespace spoke::vibration {
@@ -74,7 +75,7 @@ Mode make_periodic_mode(const PeriodicMode& periodic, const Periodically& rotor,
   mode.coordinates = x;
   mode.of = "all";
   mode.harmonics = list_harmonics(periodic, rotor.system);
-  set_hub_motion(hub, all.model, mode);
+  set_hub_motion(hub, all, mode);
   EnergySum energies(all);
   constexpr double kAlike = 1e-6;  // of subsystems that move equally the first one counts
   std::size_t most = 0;
@@ -84,13 +85,20 @@ Mode make_periodic_mode(const PeriodicMode& periodic, const Periodically& rotor,
         i, all.equilibrium.q[i], all.linear.motion_of(i, rotor.part_of(i, x), hub), all.model);
     energies.add(i, shape);
     add_shape(i, shape, all.model, mode);
-    if (shape.total() <= largest.total() * (1.0 + kAlike)) continue;
+    if (all.model.stands(i) || shape.total() <= largest.total() * (1.0 + kAlike)) continue;
     largest = std::move(shape);
     most = i;
   }
   vibration::normalise(mode);
-  const double of_hub = hub.size() > 0 ? calc_hub_energy(hub, all.linear) : 0.0;
+  const Index h = hub.size();
+  Eigen::MatrixXd carried = rotor.system.M.parts[0].topLeftCorner(h, h);
+  if (all.linear.support) carried -= all.linear.support->M;
+  const double of_hub = calc_mass(hub, carried);
   mode.energy = energies.share_out(of_hub);
+  if (all.linear.support && is_of_support(mode.energy)) {
+    mode.kind = name_support_motion(hub, all);
+    return mode;
+  }
   if (largest.total() == 0.0 || (of_hub > 0.5 && largest.total() < 0.25)) {
     mode.kind = "hub";
     return mode;
@@ -106,7 +114,9 @@ Mode make_periodic_mode(const PeriodicMode& periodic, const Periodically& rotor,
 void add_floquet_modes(const ModeCount& count, const Linearised& all, ModesResult& result) {
   const StandingAxes axes =
       make_standing_axes(all.model.free_components(), all.model.is_spatial(), all.model.speed());
-  const PeriodicSystem system = make_periodic(all.linear, axes);
+  PeriodicSystem system = make_periodic(all.linear, axes);
+  if (const auto& support = all.linear.support)
+    system = stand_on(system, support->J, {support->M, support->C, support->K});
   if (system.size() == 0)
     throw InputError("nothing of the model moves, expected a body or a joint that does");
   const Index wanted = find_count(count, system.size());
@@ -122,7 +132,9 @@ void add_floquet_modes(const ModeCount& count, const Linearised& all, ModesResul
     const std::string pattern = mode.kind == "hub" || mode.name.empty() ? "" : ' ' + mode.name;
     const std::string kind = mode.eigenvalue == 0.0 ? "rigid motion" : mode.kind;
     const std::string after = mode.eigenvalue == 0.0 ? "" : pattern;
-    mode.name = kind + ' ' + std::to_string(++numbers[kind + after]) + after;
+    const int number = ++numbers[kind + after];
+    const bool is_alone = number == 1 && all.linear.support && is_of_support(mode.energy);
+    mode.name = kind + (is_alone ? "" : ' ' + std::to_string(number)) + after;
     result.modes.push_back(std::move(mode));
   }
 }

@@ -64,14 +64,16 @@ Eigen::Index find_count(const ModeCount& count, Eigen::Index size, const std::st
 
 bool is_rigid(const Mode& mode) { return mode.eigenvalue == 0.0; }
 
-void set_hub_motion(const Eigen::VectorXcd& x, const SteadyModel& model, Mode& mode) {
-  const std::vector<int>& free = model.free_components();
+void set_hub_motion(const Eigen::VectorXcd& x, const Linearised& all, Mode& mode) {
+  const std::optional<steady::LinearSupport>& support = all.linear.support;
+  const Eigen::VectorXcd hub = support ? Eigen::VectorXcd(support->J * x) : x;
+  const std::vector<int>& free = all.model.free_components();
   for (std::size_t k = 0; k < free.size(); ++k) {
-    const std::complex<double> value = x[static_cast<Eigen::Index>(k)];
-    if (free[k] < model.first_rotation())
+    const std::complex<double> value = hub[static_cast<Eigen::Index>(k)];
+    if (free[k] < all.model.first_rotation())
       mode.hub_displacement[free[k]] = value;
     else
-      mode.hub_rotation[model.is_spatial() ? free[k] - 3 : 2] = value;
+      mode.hub_rotation[all.model.is_spatial() ? free[k] - 3 : 2] = value;
   }
 }
 
@@ -80,6 +82,7 @@ void add_shape(std::size_t subsystem, const SubsystemShape& shape, SteadyModel& 
   auto& nodes = mode.shape.emplace_back(shape.nodes);
   auto& rotations = mode.rotations.emplace_back(shape.rotations);
   mode.solids.push_back(shape.solids);
+  if (model.stands(subsystem)) return;
   for (std::size_t k = 0; k < places.size(); ++k) {
     const Eigen::Vector3cd p = places[k].p.cast<std::complex<double>>();
     nodes[k] += mode.hub_displacement + mode.hub_rotation.cross(p);
@@ -88,7 +91,19 @@ void add_shape(std::size_t subsystem, const SubsystemShape& shape, SteadyModel& 
 }
 
 double calc_hub_energy(const Eigen::VectorXcd& hub, const steady::LinearModel& linear) {
-  return hub.real().dot(linear.M * hub.real()) + hub.imag().dot(linear.M * hub.imag());
+  if (!linear.support) return calc_mass(hub, linear.M);
+  return calc_mass(hub, linear.M - linear.support->M);
+}
+
+Eigen::MatrixXd find_rotor_mass(const Linearised& all) {
+  Eigen::MatrixXd mass = all.model.hub_mass();
+  for (std::size_t i = 0; i < all.model.subsystems(); ++i) {
+    if (all.model.stands(i)) continue;
+    steady::SubsystemResponse response;
+    all.model.evaluate(i, make_state(all.equilibrium, i), all.model.no_offset(), response);
+    mass += all.model.matrices(i).mass.topLeftCorner(mass.rows(), mass.cols());
+  }
+  return mass;
 }
 
 Features list_features(const SubsystemShape& shape) {
@@ -105,7 +120,7 @@ std::vector<std::string> list_bodies(const Linearised& all) {
   return names;
 }
 
-EnergySum::EnergySum(const Linearised& all) : starts_(all.model.subsystems()) {
+EnergySum::EnergySum(const Linearised& all) : model_(all.model), starts_(all.model.subsystems()) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < starts_.size(); ++i) {
     const std::size_t first = all.linear.alike[i];
@@ -116,10 +131,14 @@ EnergySum::EnergySum(const Linearised& all) : starts_(all.model.subsystems()) {
 }
 
 void EnergySum::add(std::size_t subsystem, const SubsystemShape& shape) {
-  sum_.axial += shape.energies[0];
-  sum_.lag += shape.energies[1];
-  sum_.flap += shape.energies[2];
-  sum_.torsion += shape.energies[3];
+  if (model_.stands(subsystem)) {
+    sum_.support += shape.total();
+  } else {
+    sum_.axial += shape.energies[0];
+    sum_.lag += shape.energies[1];
+    sum_.flap += shape.energies[2];
+    sum_.torsion += shape.energies[3];
+  }
   for (std::size_t k = 0; k < shape.bodies.size(); ++k) {
     double& own = sum_.bodies[starts_[subsystem] + static_cast<std::size_t>(shape.bodies[k])];
     for (const Eigen::VectorXcd& motion : shape.motions)
@@ -130,9 +149,10 @@ void EnergySum::add(std::size_t subsystem, const SubsystemShape& shape) {
 ModeEnergy EnergySum::share_out(double of_hub) const {
   ModeEnergy shares = sum_;
   shares.hub = of_hub;
-  const double all = sum_.flap + sum_.lag + sum_.axial + sum_.torsion + of_hub;
+  const double all = sum_.flap + sum_.lag + sum_.axial + sum_.torsion + sum_.support + of_hub;
   if (!(all > 0.0)) return shares;
-  for (double* share : {&shares.flap, &shares.lag, &shares.axial, &shares.torsion, &shares.hub})
+  for (double* share :
+       {&shares.flap, &shares.lag, &shares.axial, &shares.torsion, &shares.hub, &shares.support})
     *share /= all;
   for (double& share : shares.bodies) share /= all;
   return shares;

@@ -33,6 +33,11 @@ class Numbering {
   void name(const std::string& what, Mode& mode) {
     mode.name = what + ' ' + std::to_string(++counts_[what]);
   }
+  /// As name(), but the first has no number.
+  void name_further(const std::string& what, Mode& mode) {
+    const int count = ++counts_[what];
+    mode.name = count > 1 ? what + ' ' + std::to_string(count) : what;
+  }
 
  private:
   std::map<std::string, int> counts_;
@@ -46,9 +51,9 @@ Mode make_mode(const Root& root);
 bool is_rigid(const Mode& mode);
 /// Scales a mode to a largest displacement of 1.
 void normalise(Mode& mode);
-/// Sets the motion of the hub's frame by its free coordinates.
-void set_hub_motion(const Eigen::VectorXcd& x, const steady::SteadyModel& model, Mode& mode);
-/// Adds the shape of a subsystem, which moves with the hub.
+/// Sets the motion of the hub's frame by its free coordinates, or by those of its support.
+void set_hub_motion(const Eigen::VectorXcd& x, const Linearised& all, Mode& mode);
+/// Adds the shape of a subsystem, which moves with the hub unless it stands.
 void add_shape(std::size_t subsystem, const SubsystemShape& shape, steady::SteadyModel& model,
                Mode& mode);
 
@@ -57,8 +62,11 @@ inline double calc_mass(const Eigen::VectorXcd& x, const Eigen::MatrixXd& M) {
   return x.real().dot(M * x.real()) + x.imag().dot(M * x.imag());
 }
 
-/// Returns the mass of a motion of the hub's coordinates: x^H M x.
+/// Returns the mass of a motion of the hub's coordinates: x^H M x, without that of a support on
+/// which the rotor stands.
 double calc_hub_energy(const Eigen::VectorXcd& hub, const steady::LinearModel& linear);
+/// Returns the mass matrix of a rotor on a support as a rigid body, along the axes of its hub.
+Eigen::MatrixXd find_rotor_mass(const Linearised& all);
 
 /// Returns flap, lag, torsion and axial motion of a shape, by which modes of equal roots are told
 /// apart.
@@ -76,6 +84,7 @@ class EnergySum {
   ModeEnergy share_out(double of_hub) const;
 
  private:
+  const steady::SteadyModel& model_;
   std::vector<std::size_t> starts_;  ///< in ModesResult::bodies, by subsystem
   ModeEnergy sum_;
 };

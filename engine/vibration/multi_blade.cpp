@@ -256,21 +256,14 @@ FixedFrame make_fixed_frame(const LinearModel& turning, const std::vector<double
 }
 
 FixedFrame stand_on(const FixedFrame& rotor, const MatrixXd& J, const SecondOrder& support) {
-  const LinearModel& own = rotor.model;
-  assert(J.rows() == own.M.rows() && support.M.rows() == J.cols());
+  const double step = rotor.model.round_off.step.minCoeff();
   FixedFrame frame = rotor;
-  LinearModel& model = frame.model;
-  model.M = support.M + J.transpose() * own.M * J;
-  model.C = support.C + J.transpose() * own.C * J;
-  model.K = support.K + J.transpose() * own.K * J;
-  for (HubCoupling& coupling : model.couplings) {
-    for (MatrixXd* columns : {&coupling.M_bh, &coupling.C_bh, &coupling.K_bh})
-      *columns = (*columns * J).eval();
-    for (MatrixXd* rows : {&coupling.M_hb, &coupling.C_hb, &coupling.K_hb})
-      *rows = (J.transpose() * *rows).eval();
-  }
-  model.round_off.force = J.cwiseAbs().transpose() * own.round_off.force;
-  model.round_off.step = Eigen::VectorXd::Constant(J.cols(), own.round_off.step.minCoeff());
+  frame.model.support = steady::LinearSupport{.J = J,
+                                              .M = support.M,
+                                              .C = support.C,
+                                              .K = support.K,
+                                              .step = Eigen::VectorXd::Constant(J.cols(), step)};
+  steady::stand_on(*frame.model.support, frame.model);
   return frame;
 }
 

@@ -52,15 +52,15 @@ struct Failure {
 
 /// Makes gaps of speeds without equilibrium, and throws their first failure if fewer than two other
 /// speeds are left. Of other failures that at the lowest speed is thrown.
-void settle_failures(const std::vector<Failure>& failures, const CampbellOptions& options,
-                     CampbellResult& result) {
+void settle_failures(const std::vector<Failure>& failures, const Scenario& scenario,
+                     const CampbellOptions& options, CampbellResult& result) {
   std::exception_ptr first;
   for (std::size_t k = 0; k < failures.size(); ++k) {
     if (!failures[k].exception) continue;
     if (failures[k].gap.empty()) std::rethrow_exception(failures[k].exception);
     if (!first) first = failures[k].exception;
     result.states[k].equilibrium.speed = options.speeds[k];
-    result.states[k].frame = options.frame;
+    result.states[k].frame = vibration::choose_frame(scenario, options.frame);
     result.gaps.push_back({k, failures[k].gap});
   }
   if (result.gaps.size() + 2 > failures.size() && first) std::rethrow_exception(first);
@@ -101,7 +101,7 @@ void solve_all(const Scenario& scenario, const CampbellOptions& options, Campbel
     for (std::size_t t = 1; t < threads; ++t) others.emplace_back(work, false);
     work(true);
   }
-  settle_failures(failures, options, result);
+  settle_failures(failures, scenario, options, result);
 }
 
 void find_crossings(const CampbellOptions& options, std::optional<double> operating,

@@ -17,6 +17,7 @@
 #include "engine/vibration/floquet_modes.h"
 #include "engine/vibration/mode_parts.h"
 #include "engine/vibration/mode_shapes.h"
+#include "engine/vibration/support_names.h"
 #include "models/error.h"
 #include "models/reader/scenario_check.h"
 
@@ -163,7 +164,8 @@ Mode make_coupled_mode(const Root& root, const Pencil& pencil, const Linearised&
   mode.coordinates = list_motions(pencil, root.x, all);
   mode.of = "all";
   const Eigen::Index h = all.linear.M.rows();
-  set_hub_motion(root.x.head(h), all.model, mode);
+  const Eigen::VectorXcd hub = root.x.head(h);
+  set_hub_motion(hub, all, mode);
   constexpr double kAlike = 1e-6;  // of subsystems that move equally the first one counts
   std::size_t most = 0;
   double largest = 0.0;
@@ -173,7 +175,7 @@ Mode make_coupled_mode(const Root& root, const Pencil& pencil, const Linearised&
     const Eigen::VectorXcd x = motion_of(i, pencil, root.x, all);
     SubsystemShape& shape =
         shapes.emplace_back(vibration::calc_subsystem_shape(i, all.equilibrium.q[i], x, all.model));
-    if (shape.total() > largest * (1.0 + kAlike)) {
+    if (!all.model.stands(i) && shape.total() > largest * (1.0 + kAlike)) {
       largest = shape.total();
       most = i;
     }
@@ -181,8 +183,12 @@ Mode make_coupled_mode(const Root& root, const Pencil& pencil, const Linearised&
     add_shape(i, shape, all.model, mode);
   }
   normalise(mode);
-  const double of_hub = vibration::calc_hub_energy(root.x.head(h), all.linear);
+  const double of_hub = vibration::calc_hub_energy(hub, all.linear);
   mode.energy = energies.share_out(of_hub);
+  if (all.linear.support && vibration::is_of_support(mode.energy)) {
+    mode.kind = vibration::name_support_motion(hub, all);
+    return mode;
+  }
   if (shapes.empty()) {  // a model of the hub alone
     mode.kind = "hub";
     return mode;
@@ -212,6 +218,8 @@ void add_coupled_modes(const ModeCount& count, const Linearised& all, ModesResul
     const bool has_pattern = !mode.name.empty() && mode.kind != "hub";
     if (is_rigid(mode))
       numbering.name("rigid motion", mode);
+    else if (all.linear.support && vibration::is_of_support(mode.energy))
+      numbering.name_further(mode.kind, mode);
     else
       numbering.name(has_pattern ? mode.name + ' ' + mode.kind : mode.kind, mode);
     result.modes.push_back(std::move(mode));
@@ -249,15 +257,28 @@ ModesResult vibration::make_modes(const LinearModel& linear, const Equilibrium& 
   return result;
 }
 
+ModeFrame vibration::choose_frame(const Scenario& scenario, std::optional<ModeFrame> asked) {
+  if (asked) return *asked;
+  return scenario.space && scenario.space->support ? ModeFrame::fixed : ModeFrame::turning;
+}
+
 ModesResult vibration::solve_modes(const Scenario& scenario, const SteadyState& state,
-                                   ModeFrame frame, const ModeCount& count) {
+                                   std::optional<ModeFrame> asked, const ModeCount& count) {
   check_scenario(scenario);
+  const ModeFrame frame = choose_frame(scenario, asked);
   const double speed = steady::find_steady_speed(scenario, state.speed);
   const std::unique_ptr<SteadyModel> model = steady::make_steady_model(
       scenario, {.speed = speed, .is_axial = frame != ModeFrame::turning});
   const Equilibrium equilibrium = steady::find_equilibrium(*model);
   steady::require_steady_hub(*model, equilibrium);
-  const LinearModel linear = steady::linearize(equilibrium, *model);
+  LinearModel linear = steady::linearize(equilibrium, *model);
+  if (linear.support && frame == ModeFrame::turning) {
+    if (speed != 0.0)
+      throw InputError(
+          "the frame \"turning\" expects a hub whose support does not move, or a speed of 0: on a "
+          "support the frames \"fixed\" and \"floquet\" have modes");
+    steady::stand_on(*linear.support, linear);
+  }
   ModesResult result = make_modes(linear, equilibrium, frame, count, *model);
   steady::add_warnings(scenario, result.equilibrium);
   return result;

@@ -2,6 +2,8 @@
 
 // Modes with bounds of their number.
 
+#include <optional>
+
 #include "engine/modes.h"
 #include "engine/steady/linear_model.h"
 #include "engine/vibration/mode_count.h"
@@ -15,7 +17,10 @@ namespace spoke::vibration {
 ModesResult make_modes(const steady::LinearModel& linear, const steady::Equilibrium& equilibrium,
                        ModeFrame frame, const ModeCount& count, steady::SteadyModel& model);
 
-ModesResult solve_modes(const Scenario& scenario, const SteadyState& state, ModeFrame frame,
-                        const ModeCount& count);
+/// Returns the frame that is asked for, or the usual one of the scenario: see ModeOptions.
+ModeFrame choose_frame(const Scenario& scenario, std::optional<ModeFrame> asked);
+
+ModesResult solve_modes(const Scenario& scenario, const SteadyState& state,
+                        std::optional<ModeFrame> frame, const ModeCount& count);
 
 }  // namespace spoke::vibration

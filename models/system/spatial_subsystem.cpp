@@ -29,6 +29,7 @@ class SubsystemMaker {
         to_axis_(setting.to_axis),
         centre_(setting.centre),
         rotor_(setting.rotor),
+        is_alone_(setting.is_alone),
         drive_(setting.drive),
         placements_(calc_placements(tree)),
         shared_(made) {
@@ -195,7 +196,8 @@ class SubsystemMaker {
       return;
     }
     const auto& rigid = std::get<spatial::RigidBody>(body(j).shape);
-    space::RigidBody shape{rigid.mass, rigid.center, rigid.inertia, {}, body(j).is_hub};
+    space::RigidBody shape{
+        rigid.mass, rigid.center, rigid.inertia, {}, body(j).is_hub && !is_alone_};
     for (const int c : made.children)
       shape.outboard.emplace_back(body(static_cast<std::size_t>(c)).placement.position);
     for (const spatial::TreePlace* place : places_on(j))
@@ -227,7 +229,7 @@ class SubsystemMaker {
     for (space::JointPrimitive& primitive : joint.primitives)
       primitive.axis = own.inverse() * primitive.axis;
     made.joint.course = make_course(body(j).joint);
-    if (body(j).is_hub) made.joint.course.drive = drive_;
+    if (body(j).is_hub && !is_alone_) made.joint.course.drive = drive_;
   }
 
   space::JointCourse make_course(const spatial::Joint& joint) const {
@@ -410,6 +412,7 @@ class SubsystemMaker {
   space::Rotation to_axis_;
   space::Position centre_;
   spatial::MassProperties rotor_;
+  bool is_alone_;
   Drive drive_;
   /// Placements of bodies in the frame of the description's hub.
   std::vector<Placement> placements_;

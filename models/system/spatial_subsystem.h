@@ -20,6 +20,8 @@ struct SubsystemSetting {
   /// Of a support, the mass properties of the rotor that it carries, in the hub's frame H.
   spatial::MassProperties rotor{};
   Drive drive = FreeDrive{};  ///< of a support, that of the rotor
+  /// Of a support, whether its hub is an ordinary body, and its axle held.
+  bool is_alone = false;
 };
 
 /// Makes the subsystem of a tree; equal beams and solids are shared with those made before.

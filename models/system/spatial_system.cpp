@@ -187,6 +187,44 @@ System<Space> make_system(const spatial::Model& model, const std::vector<spatial
   return system;
 }
 
+System<Space> make_support_alone(const spatial::Model& model,
+                                 const std::vector<spatial::Tree>& trees, const Ballast& ballast,
+                                 const solid::Control& control) {
+  assert(model.support && trees.back().bodies.back().is_hub);
+  spatial::Tree tree = trees.back();
+  spatial::TreeBody& hub = tree.bodies.back();
+  hub.shape = spatial::RigidBody{ballast.mass, spatial::Vector::Zero(),
+                                 ballast.inertia * spatial::Tensor::Identity()};
+  hub.joint.coordinates[0].motion = spatial::MotionTable{};
+  System<Space> system;
+  system.hub = make_base(*model.support, model.hub);
+  system.gravity = model.gravity;
+  system.gravity_ramp = model.gravity_ramp;
+  system.damping = model.damping;
+  SharedBodies bodies(model.damping, control);
+  const std::span rotor(trees.data(), trees.size() - 1);
+  system.subsystems.push_back(
+      make_subsystem(tree, {.rotor = calc_rotor_mass(model.hub, rotor), .is_alone = true},
+                     make_body_loads(model, tree, trees.size() - 1), bodies));
+  for (const Anchor& anchor : model.anchors)
+    system.anchors.push_back(make_anchor(anchor, space::Rotation{}));
+  return system;
+}
+
+spatial::Model without_support(const spatial::Model& model) {
+  assert(model.support && is_support(model, model.subsystems.back()));
+  spatial::Model rotor = model;
+  rotor.support.reset();
+  rotor.subsystems.pop_back();
+  rotor.hub.mount = {};
+  const auto is_on_support = [](const auto& load) {
+    return load.place.subsystem == spatial::kSupportName;
+  };
+  std::erase_if(rotor.loads, is_on_support);
+  std::erase_if(rotor.distributed_loads, is_on_support);
+  return rotor;
+}
+
 System<Space> make_system(const spatial::Model& model) {
   return make_system(model, build_trees(model));
 }

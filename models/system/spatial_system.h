@@ -21,6 +21,22 @@ System<Space> make_system(const spatial::Model& model, const std::vector<spatial
                           const solid::Control& control = {});
 System<Space> make_system(const spatial::Model& model);
 
+/// A body in the place of a rotor at its hub: its mass centre is the hub's origin.
+struct Ballast {
+  double mass = 1.0;     ///< [kg]
+  double inertia = 1.0;  ///< about all axes [kg m^2]
+};
+
+/// Builds the constants of the support of a model alone, as one subsystem on its base: `ballast` is
+/// its hub, and its axle does not turn. Bodies carry the tension of the rotor's mass, but no loads
+/// of the rotor act. `trees`: those of build_trees() of the model.
+System<Space> make_support_alone(const spatial::Model& model,
+                                 const std::vector<spatial::Tree>& trees, const Ballast& ballast,
+                                 const solid::Control& control = {});
+
+/// Returns a model without its support: on an axle that nothing moves.
+spatial::Model without_support(const spatial::Model& model);
+
 /// Returns the bodies of a support from its base to the hub of a rotor.
 std::vector<int> find_path(const System<Space>& system, const SupportedRotor& rotor);
 

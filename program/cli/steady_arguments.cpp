@@ -122,7 +122,7 @@ void add_frame(CLI::App& command, SteadyArguments& arguments) {
           "--frame", [&](const std::string& name) { arguments.frame = frames.at(name); },
           "From where vibrations are seen: turning with the hub; fixed:\n"
           "from outside, of 3 or more equal blades; floquet: of any\n"
-          "blades, by harmonics [turning]")
+          "blades, by harmonics [fixed on a support, else turning]")
       ->check(CLI::IsMember({"turning", "fixed", "floquet"}))
       ->type_name("FRAME");
 }

@@ -23,7 +23,7 @@ struct SteadyArguments {
   std::string of;               ///< critical: what is varied, as in CriticalOptions
   double from = 0.0, to = 0.0;  ///< critical: ends of the range of what is varied
   int points = 21;              ///< critical: values in the range
-  ModeFrame frame = ModeFrame::turning;
+  std::optional<ModeFrame> frame;
 };
 
 /// Adds --speed.
