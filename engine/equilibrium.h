@@ -79,10 +79,19 @@ struct BladeEquilibrium {
   std::vector<double> bending;
 };
 
+/// Where the hub of a rotor on a support is at azimuth zero, in the frame of what that stands on.
+struct HubPlace {
+  Eigen::Vector3d position{0.0, 0.0, 0.0};                 ///< of its origin [m]
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< columns; z is the axis of rotation
+};
+
 /// A model in equilibrium.
 struct EquilibriumResult {
   double speed = 0.0;                    ///< of the hub [rad/s]
-  std::vector<BladeEquilibrium> blades;  ///< and behind them other subsystems
+  /// And behind them other subsystems; a support is the last, and its vectors are in the frame of
+  /// what it stands on.
+  std::vector<BladeEquilibrium> blades;
+  std::optional<HubPlace> hub = std::nullopt;  ///< of a rotor on a support
   /// Force of support and drive on the hub, hub frame [N].
   Eigen::Vector3d hub_force{0.0, 0.0, 0.0};
   Eigen::Vector3d hub_moment{0.0, 0.0, 0.0};  ///< moment about its origin, hub frame [N m]
@@ -97,7 +106,7 @@ struct EquilibriumResult {
 /// with a line search and, where needed, load steps. Loads, motors and prescribed joints have the
 /// values with which their curves end, pitch that follows the azimuth its mean. Where the hub
 /// turns, gravity and loads of constant direction count with their part along the axis, since their
-/// other parts turn against the model. Throws InputError if the scenario is not valid, if the speed
+/// other parts turn against the model; on a support their mean acts through the hub. Throws InputError if the scenario is not valid, if the speed
 /// is not finite, if the drive is a torque and no speed is given, or if nothing holds the hub or a
 /// joint; DivergenceError, naming body and coordinate, if no equilibrium is found.
 SPOKE_EXPORT EquilibriumResult solve_equilibrium(const Scenario& scenario,

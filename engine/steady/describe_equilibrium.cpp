@@ -4,6 +4,7 @@
 
 #include <cassert>
 
+#include "engine/steady/supported_model.h"
 #include "engine/support/plain_zero.h"
 #include "models/space/rotation_vector.h"
 
@@ -75,6 +76,10 @@ EquilibriumResult describe(const Equilibrium& found, SteadyModel& model) {
   }
   for (std::size_t i = 0; i < model.subsystems(); ++i)
     result.blades.push_back(describe_subsystem(i, found, model));
+  if (const SupportedModel* machine = model.on_support()) {
+    const NodePlace hub = machine->hub_place();
+    result.hub = HubPlace{hub.p, hub.axes};
+  }
   return result;
 }
 

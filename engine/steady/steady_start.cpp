@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/steady/find_equilibrium.h"
+#include "engine/steady/supported_model.h"
 #include "models/error.h"
 #include "models/start.h"
 
@@ -15,9 +16,15 @@ std::vector<Eigen::VectorXd> find_start(const Scenario& scenario) {
       make_steady_model(scenario, {start_speed(scenario), Instant::start});
   const Equilibrium found = find_equilibrium(*model);
   require_held(found);
-  if (model->is_hub_free()) require_steady_hub(*model, found);
+  if (model->is_hub_free() || model->on_support()) require_steady_hub(*model, found);
   std::vector<Eigen::VectorXd> q;
   for (std::size_t i = 0; i < model->subsystems(); ++i) q.push_back(model->absolute(i, found.q[i]));
+  // A rotor begins at azimuth zero, the last coordinate of its support.
+  if (const SupportedModel* machine = model->on_support(); machine && machine->parts().turns_freely) {
+    Eigen::VectorXd& support = q.back();
+    support.conservativeResize(support.size() + 1);
+    support[support.size() - 1] = 0.0;
+  }
   return q;
 }
 

@@ -11,7 +11,7 @@ class SteadyStates {
     this.states = data.states.map((state) => ({
       ...state,
       value: state.value ?? state.speed, // what states differ by
-      groups: this.decodeGroups(decode(state.groups, Float32Array)),
+      groups: this.decodeGroups(decode(state.groups, Float32Array), state.hub),
       displacements: decode(state.displacements, Float32Array),
       rotations: decode(state.rotations, Float32Array),
       solids: state.solids.map((numbers) => decode(numbers, Float32Array)),
@@ -23,9 +23,12 @@ class SteadyStates {
     }));
     this.bounds = this.findBounds();
   }
-  decodeGroups(numbers) {
+  /** Poses of groups. A model on a support is drawn in the frame that this stands in, others in that of the
+   *  hub, whose group is the first. */
+  decodeGroups(numbers, hub) {
+    const first = hub ? poseBetween(hub, 0, 0, 0) : { p: [0, 0, 0], R: kUnit };
     return Array.from({ length: this.scene.groups }, (_, g) =>
-      g === 0 ? { p: [0, 0, 0], R: kUnit } : poseBetween(numbers, 7 * (g - 1), 7 * (g - 1), 0));
+      g === 0 ? first : poseBetween(numbers, 7 * (g - 1), 7 * (g - 1), 0));
   }
   /** Of where the model stands at the first and at the last speed. */
   findBounds() {
@@ -51,9 +54,13 @@ class SteadyStates {
         rotations[node + i] += units.rotation * (c * shape[at + 6 + i] - s * shape[at + 9 + i]);
       }
     }
-    const hub = Array.from({ length: 6 }, (_, i) => c * mode.hub.real[i] - s * mode.hub.imag[i]);
+    const carried = Array.from({ length: 6 }, (_, i) => c * mode.hub.real[i] - s * mode.hub.imag[i]);
+    const motion = { p: carried.slice(0, 3), R: rotationOf(carried.slice(3)) };
     const solids = this.scene.solidsOf(mode.solids.map((motion, m) => this.moveSolid(this.states[k].solids[m], motion, c, s)));
-    return { ...still, displacements, rotations, solids, hub: { p: hub.slice(0, 3), R: rotationOf(hub.slice(3)) } };
+    const moved = { ...still, displacements, rotations, solids };
+    if (!this.scene.base) return { ...moved, hub: motion };
+    const [{ p, R }, ...groups] = still.groups;
+    return { ...moved, groups: [{ p: add(p, turn(R, motion.p)), R: product(R, motion.R) }, ...groups] };
   }
   /** Numbers of a solid, moved by its motion: real parts of all, then imaginary ones, those of stresses left out. */
   moveSolid(still, { unit, shares }, c, s) {

@@ -37,7 +37,8 @@ Json energy_json(const ModeEnergy& energy, const std::vector<std::string>& bodie
   for (std::size_t k = 0; k < bodies.size(); ++k)
     by_body.push_back({{"body", bodies[k]}, {"share", energy.bodies[k]}});
   return {{"flap", energy.flap},       {"lag", energy.lag}, {"axial", energy.axial},
-          {"torsion", energy.torsion}, {"hub", energy.hub}, {"bodies", by_body}};
+          {"torsion", energy.torsion}, {"hub", energy.hub}, {"support", energy.support},
+          {"bodies", by_body}};
 }
 
 Json harmonics_json(const Mode& mode) {
@@ -164,7 +165,7 @@ std::string make_json(const ModesResult& result) {
 std::string make_csv(const ModesResult& result) {
   std::string text =
       "of,mode,frequency_Hz,frequency_rad_per_s,damping_ratio,eigenvalue_real_per_s,grows,"
-      "share_flap,share_lag,share_axial,share_torsion,share_hub";
+      "share_flap,share_lag,share_axial,share_torsion,share_hub,share_support";
   for (std::string body : result.bodies) {
     std::replace(body.begin(), body.end(), ',', ';');
     text += ',' + csv_cell("share_of " + body);
@@ -177,7 +178,7 @@ std::string make_csv(const ModesResult& result) {
                         hertz(mode.frequency), mode.frequency, damping_of(mode),
                         plain_zero(mode.eigenvalue.real()), mode.grows() ? 1 : 0);
     const ModeEnergy& energy = mode.energy;
-    for (const double share : {energy.flap, energy.lag, energy.axial, energy.torsion, energy.hub})
+    for (const double share : {energy.flap, energy.lag, energy.axial, energy.torsion, energy.hub, energy.support})
       text += share_cell(share);
     for (const double share : energy.bodies) text += share_cell(share);
     if (result.frame == ModeFrame::floquet)

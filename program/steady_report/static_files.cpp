@@ -12,6 +12,7 @@
 #include "engine/steady/steady_warnings.h"
 #include "engine/support/csv_cell.h"
 #include "engine/support/plain_zero.h"
+#include "models/space/rotation_vector.h"
 #include "models/space/solid.h"
 #include "models/support/json.h"
 #include "program/report/chart.h"
@@ -214,9 +215,14 @@ report::Table make_loop_table(const EquilibriumResult& result) {
   return table;
 }
 
+/// Returns the rotation vector of a hub [rad].
+Eigen::Vector3d rotation_of(const HubPlace& hub) {
+  return space::logarithm(space::Rotation{hub.axes});
+}
+
 std::vector<report::Fact> make_facts(const EquilibriumResult& result) {
   const RootScale scale = calc_root_scale(result);
-  return {{"speed", fmt::format("{:.6g} rad/s", result.speed)},
+  std::vector<report::Fact> facts = {{"speed", fmt::format("{:.6g} rad/s", result.speed)},
           {"hub force", vector_text(result.hub_force, scale.force) + " N, of support and drive"},
           {"hub moment", vector_text(result.hub_moment, scale.moment) + " N m"},
           {"largest bending", bending_text(result)},
@@ -224,6 +230,12 @@ std::vector<report::Fact> make_facts(const EquilibriumResult& result) {
                                    "{:.1e}",
                                    result.iterations, result.load_steps,
                                    result.load_steps == 1 ? "" : "s", result.last_change)}};
+  if (!result.hub) return facts;
+  const double size = result.hub->position.norm();
+  facts.insert(facts.begin() + 1,
+               {{"hub", vector_text(result.hub->position, size) + " m, from the support's base"},
+                {"hub rotation", vector_text(rotation_of(*result.hub), 1.0) + " rad"}});
+  return facts;
 }
 
 std::string make_json(const EquilibriumResult& result) {
@@ -231,7 +243,7 @@ std::string make_json(const EquilibriumResult& result) {
   for (const BladeEquilibrium& blade : result.blades) blades.push_back(blade_json(blade));
   Json warnings = Json::array();
   for (const Warning& warning : result.warnings) warnings.push_back(warning.text);
-  const Json json = {{"speed_rad_per_s", result.speed},
+  Json json = {{"speed_rad_per_s", result.speed},
                      {"hub_force_N", vector_json(result.hub_force)},
                      {"hub_moment_N_m", vector_json(result.hub_moment)},
                      {"iterations", result.iterations},
@@ -239,6 +251,9 @@ std::string make_json(const EquilibriumResult& result) {
                      {"last_change", result.last_change},
                      {"warnings", warnings},
                      {"blades", blades}};
+  if (result.hub)
+    json.set("hub", {{"position_m", vector_json(result.hub->position)},
+                     {"rotation_rad", vector_json(rotation_of(*result.hub))}});
   return json.dump_lines();
 }
 

@@ -174,11 +174,17 @@ Json SteadyScene::describe(const EquilibriumResult& result) const {
     }
     solids.push_back(run_report::encode(numbers));
   }
-  return {{"speed", result.speed},
-          {"groups", run_report::encode(groups)},
-          {"displacements", run_report::encode(displacements)},
-          {"rotations", run_report::encode(rotations)},
-          {"solids", solids}};
+  Json described = {{"speed", result.speed},
+                    {"groups", run_report::encode(groups)},
+                    {"displacements", run_report::encode(displacements)},
+                    {"rotations", run_report::encode(rotations)},
+                    {"solids", solids}};
+  if (result.hub) {
+    std::vector<float> hub;
+    run_report::append_pose({result.hub->position, result.hub->axes}, hub);
+    described.set("hub", std::vector<double>(hub.begin(), hub.end()));
+  }
+  return described;
 }
 
 Json SteadyScene::describe(const Mode& mode, const EquilibriumResult& result) const {
@@ -191,9 +197,11 @@ Json SteadyScene::describe(const Mode& mode, const EquilibriumResult& result) co
     if (shapes.empty()) first = k;
     const std::size_t at = places_[k];
     const Vector3cd p = result.blades[tree].nodes[at].cast<std::complex<double>>();
-    const Vector3cd carried = mode.hub_displacement + mode.hub_rotation.cross(p);
-    shapes.push_back(
-        {mode.shape[tree][at] - carried, mode.rotations[tree][at] - mode.hub_rotation});
+    const bool stands = scene_.support == static_cast<int>(tree);
+    const Vector3cd turn = stands ? Vector3cd(Vector3cd::Zero()) : mode.hub_rotation;
+    const Vector3cd carried = stands ? Vector3cd(Vector3cd::Zero())
+                                     : Vector3cd(mode.hub_displacement + turn.cross(p));
+    shapes.push_back({mode.shape[tree][at] - carried, mode.rotations[tree][at] - turn});
     displacement = larger(displacement, shapes.back().displacement);
     rotation = larger(rotation, shapes.back().rotation);
   }
