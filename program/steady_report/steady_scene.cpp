@@ -10,6 +10,7 @@
 #include "engine/scene/carriers.h"
 #include "engine/scene/make_scene.h"
 #include "engine/space/solid_output.h"
+#include "models/tree/tree.h"
 #include "program/run_report/base64.h"
 #include "program/run_report/scene_data.h"
 #include "program/steady_report/mode_files.h"
@@ -38,9 +39,11 @@ void append(const Vector3cd& v, double unit, std::vector<std::int16_t>& numbers)
   for (const std::complex<double>& x : v) numbers.push_back(share(x.imag()));
 }
 
-Json hub_json(const Mode& mode) {
+/// `to_hub`: from the axes of the mode to those of the drawn hub.
+Json hub_json(const Mode& mode, const Eigen::Matrix3d& to_hub) {
   Json real = Json::array(), imag = Json::array();
-  for (const Vector3cd& v : {mode.hub_displacement, mode.hub_rotation})
+  for (const Vector3cd& v :
+       {Vector3cd(to_hub * mode.hub_displacement), Vector3cd(to_hub * mode.hub_rotation)})
     for (const std::complex<double>& x : v) {
       real.push_back(x.real());
       imag.push_back(x.imag());
@@ -112,6 +115,8 @@ Json describe_motion(const SolidMotion& motion) {
 SteadyScene::SteadyScene(const Scenario& scenario, const EquilibriumResult& result,
                          std::size_t most_nodes)
     : scene_(scene::make_scene(scenario, most_nodes, solids_of(result))),
+      to_hub_(scenario.space ? Eigen::Matrix3d(rotor_placement(scenario.space->hub).rotation)
+                             : Eigen::Matrix3d(Eigen::Matrix3d::Identity())),
       first_(make_first_frame(scenario, scene_).groups) {
   for (const scene::NodeSource& source : scene_.sources) {
     const std::vector<int>& bodies =
@@ -120,6 +125,10 @@ SteadyScene::SteadyScene(const Scenario& scenario, const EquilibriumResult& resu
     places_.push_back(static_cast<std::size_t>(first - bodies.begin() + source.node));
   }
   put_anchors(scenario, result);
+}
+
+Eigen::Matrix3d SteadyScene::to_drawn(int subsystem) const {
+  return subsystem == scene_.support ? Eigen::Matrix3d(Eigen::Matrix3d::Identity()) : to_hub_;
 }
 
 /// Puts anchors where the equilibrium has them.
@@ -153,14 +162,15 @@ Json SteadyScene::describe(const EquilibriumResult& result) const {
       const BladeEquilibrium& blade =
           result.blades[static_cast<std::size_t>(scene_.sources[k].subsystem)];
       const std::size_t at = places_[k];
-      append(blade.nodes[at] - blade.undeformed[at], displacements);
-      append(blade.rotations[at], rotations);
+      const Eigen::Matrix3d turn = to_drawn(scene_.sources[k].subsystem);
+      append(turn * (blade.nodes[at] - blade.undeformed[at]), displacements);
+      append(turn * blade.rotations[at], rotations);
       // All nodes of a rigid body show its motion.
       const scene::Node& drawn = scene_.nodes[k];
       if (drawn.group == 0) continue;
       spatial::Placement& motion = motions[static_cast<std::size_t>(drawn.group)];
-      motion.rotation = blade.undeformed_axes[at] * drawn.axes.transpose();
-      motion.position = blade.undeformed[at] - motion.rotation * drawn.p;
+      motion.rotation = turn * blade.undeformed_axes[at] * drawn.axes.transpose();
+      motion.position = turn * blade.undeformed[at] - motion.rotation * drawn.p;
     }
   }
   for (std::size_t g = 1; g < motions.size(); ++g) run_report::append_pose(motions[g], groups);
@@ -181,7 +191,7 @@ Json SteadyScene::describe(const EquilibriumResult& result) const {
                     {"solids", solids}};
   if (result.hub) {
     std::vector<float> hub;
-    run_report::append_pose({result.hub->position, result.hub->axes}, hub);
+    run_report::append_pose({result.hub->position, result.hub->axes * to_hub_.transpose()}, hub);
     described.set("hub", std::vector<double>(hub.begin(), hub.end()));
   }
   return described;
@@ -199,9 +209,11 @@ Json SteadyScene::describe(const Mode& mode, const EquilibriumResult& result) co
     const Vector3cd p = result.blades[tree].nodes[at].cast<std::complex<double>>();
     const bool stands = scene_.support == static_cast<int>(tree);
     const Vector3cd turn = stands ? Vector3cd(Vector3cd::Zero()) : mode.hub_rotation;
-    const Vector3cd carried = stands ? Vector3cd(Vector3cd::Zero())
-                                     : Vector3cd(mode.hub_displacement + turn.cross(p));
-    shapes.push_back({mode.shape[tree][at] - carried, mode.rotations[tree][at] - turn});
+    const Vector3cd carried =
+        stands ? Vector3cd(Vector3cd::Zero()) : Vector3cd(mode.hub_displacement + turn.cross(p));
+    const Eigen::Matrix3d drawn = to_drawn(static_cast<int>(tree));
+    shapes.push_back(
+        {drawn * (mode.shape[tree][at] - carried), drawn * (mode.rotations[tree][at] - turn)});
     displacement = larger(displacement, shapes.back().displacement);
     rotation = larger(rotation, shapes.back().rotation);
   }
@@ -227,7 +239,7 @@ Json SteadyScene::describe(const Mode& mode, const EquilibriumResult& result) co
       {"frequency", hertz(mode.frequency)},
       {"damping", damping_of(mode)},
       {"grows", mode.grows()},
-      {"hub", hub_json(mode)},
+      {"hub", hub_json(mode, to_hub_)},
       {"solids", solids},
       {"first", first},
       {"shape", run_report::encode(numbers)},

@@ -27,9 +27,14 @@ class SteadyScene {
   Json describe(const Mode& mode, const EquilibriumResult& result) const;
 
  private:
+  /// Returns the rotation from the frame in which an equilibrium has a subsystem to that in which
+  /// it is drawn: of a support its base's, else the hub's, whose z axis need not be that of
+  /// rotation.
+  Eigen::Matrix3d to_drawn(int subsystem) const;
   void put_anchors(const Scenario& scenario, const EquilibriumResult& result);
 
   scene::Scene scene_;
+  Eigen::Matrix3d to_hub_;                 ///< from axes with z along that of rotation
   std::vector<spatial::Placement> first_;  ///< motions of its groups before bodies deform
   std::vector<std::size_t> places_;  ///< places of the scene's nodes among those of their blades
 };
