@@ -21,7 +21,8 @@ enum class ModeFrame {
   /// alike, w + n W and |w - n W| in patterns that go round n times, at the speed W of the hub.
   fixed,
   /// The hub in the frame that stands and blades in the one that turns, where matrices are
-  /// periodic: for any blades, by Floquet's theory.
+  /// periodic: for any blades, by Floquet's theory. Gravity and loads of constant direction across
+  /// the axis of a hub on an axle count, unless there are closed loops or spherical joints.
   floquet,
 };
 
@@ -108,7 +109,8 @@ struct ModesResult {
 /// frame that turns with the hub, where the linearised system is constant, or in another one
 /// (docs/modes.md). Throws like solve_equilibrium(), except that a motion which nothing holds is a
 /// mode of frequency zero. Throws InputError if fewer modes exist than are asked for, if forces on
-/// a free hub are not in balance, or if the frame is not for such a model.
+/// a free hub are not in balance, or if the frame is not for such a model; DivergenceError, in the
+/// frame `floquet`, if gravity across the axis causes no periodic motion.
 SPOKE_EXPORT ModesResult solve_modes(const Scenario& scenario, const ModeOptions& options = {});
 
 }  // namespace spoke

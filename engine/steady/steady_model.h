@@ -30,6 +30,8 @@ struct SubsystemCoordinate {
   int node = -1;       ///< of the body; -1: it is of the joint that carries the body
   bool turns = false;  ///< true: an angle [rad]; false: a length [m]
   double scale = 1.0;  ///< a large value of it [rad, m]
+  /// Whether it is of a rotation vector, whose rate is not its velocity.
+  bool is_spherical = false;
 };
 
 /// Returns those of a subsystem's coordinates `x` that deform one of its bodies.
@@ -133,7 +135,8 @@ struct SteadyOptions {
   Instant instant = Instant::end;
   /// Whether gravity and loads of constant direction count along the axis only even at rest.
   bool is_axial = false;
-  /// Whether they count whole, as they are at azimuth zero, even where the hub turns.
+  /// Whether they count in full even where the hub turns: as they are at the azimuth of
+  /// SteadyModel::move_hub().
   bool is_whole = false;
   bool has_outputs = false;  ///< whether the scenario's sensors are to be read
 };
@@ -186,6 +189,10 @@ class SteadyModel {
   /// Sets the share of loads, gravity and the speed's square, from 0 to 1.
   virtual void set_share(double share) = 0;
 
+  /// Adds a motion about the axis to the hub's steady rotation, besides which the offsets of all
+  /// that follows are: its turn, its speed, and its acceleration.
+  virtual void move_hub(double turn, double rate, double acceleration) = 0;
+
   /// Returns the coordinates at the start of the search: undeformed, joints where the scenario has
   /// them.
   virtual Eigen::VectorXd initial(std::size_t subsystem) const = 0;
@@ -208,6 +215,9 @@ class SteadyModel {
   /// Returns the twist of a body's frame, in it: columns for the twist of the hub, then for the
   /// velocities of the coordinates.
   virtual Eigen::MatrixXd twists(std::size_t subsystem, int body) = 0;
+  /// Returns the product of the mass matrix of matrices() with velocities `v` of the coordinates,
+  /// the hub's being zero. Leaves the model with these velocities.
+  virtual Eigen::VectorXd momenta(std::size_t subsystem, const Eigen::VectorXd& v) = 0;
 
   /// Returns the rows of the subsystem's loops.
   virtual const std::vector<ClosureRow>& closure_rows(std::size_t subsystem) const = 0;

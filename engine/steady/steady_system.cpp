@@ -80,8 +80,8 @@ SteadySystem<World>::SteadySystem(const SystemMaker<World>& maker,
   hub_ = context_.system.hub;
   for (int c = 0; c < World::kTwist; ++c)
     if (!is_prescribed(hub_, c)) free_.push_back(c);
-  loads_.emplace(context_.system, !options.is_whole && (speed_ != 0.0 || options.is_axial),
-                 options.instant);
+  const bool is_axial = (speed_ != 0.0 || options.is_axial) && !options.is_whole;
+  loads_.emplace(context_.system, is_axial, options.instant);
   hold_anchors(context_.system, speed_ != 0.0, options.instant);
   context_.system.hub.support = HubSupport::axle;
   hold_hub();
@@ -103,6 +103,14 @@ SteadySystem<World>::SteadySystem(const SystemMaker<World>& maker,
 template <class World>
 void SteadySystem<World>::hold_hub() {
   context_.system.hub.drive = ConstantSpeed{std::sqrt(share_) * speed_};
+}
+
+template <class World>
+void SteadySystem<World>::move_hub(double turn, double rate, double acceleration) {
+  moved_ = no_offset();
+  moved_->turn[World::kAxial] = turn;
+  moved_->twist[World::kAxial] = rate;
+  moved_->acceleration[World::kAxial] = acceleration;
 }
 
 template <class World>
@@ -304,10 +312,15 @@ void SteadySystem<World>::place(std::size_t subsystem, const SubsystemState& sta
 template <class World>
 PrescribedHub<World> SteadySystem<World>::hub_motion(const HubOffset& offset) const {
   PrescribedHub<World> hub = calc_prescribed_motion(context_.system, 0.0);
+  if (moved_) {
+    hub.state.R = hub.state.R * turn_of(moved_->turn, World{});
+    hub.state.twist += moved_->twist;
+  }
   hub.state.R = hub.state.R * turn_of(offset.turn, World{});
   hub.state.twist += offset.twist;
   hub.acceleration = calc_prescribed_acceleration(context_.system, 0.0, hub.state, 0.0);
   hub.acceleration += offset.acceleration;
+  if (moved_) hub.acceleration += moved_->acceleration;
   return hub;
 }
 
@@ -455,6 +468,20 @@ template <class World>
 Eigen::MatrixXd SteadySystem<World>::twists(std::size_t subsystem, int body) {
   assert(subsystem < subsystems());
   return calc_twists(subsystem).middleRows(World::kTwist * body, World::kTwist);
+}
+
+template <class World>
+Eigen::VectorXd SteadySystem<World>::momenta(std::size_t subsystem, const Eigen::VectorXd& v) {
+  assert(subsystem < subsystems() && std::cmp_equal(v.size(), coordinates_[subsystem].size()));
+  SubsystemData<World>& own = data(subsystem);
+  const Subsystem<World>& model = context_.system.subsystems[subsystem];
+  const PrescribedHub<World> kept = own.prescribed;
+  own.prescribed.state.twist = Twist::Zero();
+  put_bodies(subsystem, take_bodies(subsystem), v);
+  calc_rotations(model, own);
+  calc_velocities(model, own);
+  own.prescribed = kept;
+  return calc_momenta(model, own, v);
 }
 
 template <class World>

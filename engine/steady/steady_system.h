@@ -51,6 +51,7 @@ class SteadySystem final : public SteadyModel {
   bool is_hub_free() const override { return hub_.support == HubSupport::free; }
   bool has_torque_drive() const override;
   void set_share(double share) override;
+  void move_hub(double turn, double rate, double acceleration) override;
   Eigen::VectorXd initial(std::size_t subsystem) const override;
   void settle(std::size_t subsystem, Eigen::VectorXd& q) override;
   void settle_at(std::size_t subsystem, const Eigen::VectorXd& absolute) override;
@@ -62,6 +63,7 @@ class SteadySystem final : public SteadyModel {
   Eigen::VectorXd accelerations(std::size_t subsystem) override;
   SubsystemMatrices matrices(std::size_t subsystem) override;
   Eigen::MatrixXd twists(std::size_t subsystem, int body) override;
+  Eigen::VectorXd momenta(std::size_t subsystem, const Eigen::VectorXd& v) override;
   const std::vector<ClosureRow>& closure_rows(std::size_t subsystem) const override {
     return rows_[subsystem];
   }
@@ -108,6 +110,7 @@ class SteadySystem final : public SteadyModel {
   typename World::Hub hub_;  ///< as in the scenario
   std::vector<int> free_;
   double share_ = 1.0;
+  std::optional<HubOffset> moved_;  ///< by move_hub()
   std::optional<SteadyLoads<World>> loads_;
   std::optional<graph::StepGraph> graph_;
   /// By subsystem, in the order of a pass: nodes of kinematics and terms, and the nodes behind

@@ -114,10 +114,11 @@ std::vector<SubsystemCoordinate> name_coordinates(const TreeBody<Space>& model, 
   for (const space::JointPrimitive& primitive : joint.sequence()) {
     if (primitive.is_driven) continue;
     const bool turns = primitive.kind != space::JointPrimitive::Kind::prismatic;
+    const bool is_spherical = primitive.kind == space::JointPrimitive::Kind::spherical;
     for (int c = 0; c < primitive.components(); ++c) {
       std::string numbered = name;
       if (joint.coordinates > 1) numbered.append(" ").append(std::to_string(++number));
-      list.push_back({numbered, name, index, -1, turns, turns ? 1.0 : extent});
+      list.push_back({numbered, name, index, -1, turns, turns ? 1.0 : extent, is_spherical});
     }
   }
   if (const space::Solid* solid = model.body->solid()) {

@@ -246,8 +246,34 @@ MatrixXd pass_unit_forces(const Subsystem<World>& subsystem, const SubsystemData
   return closures;
 }
 
+template <class World>
+VectorXd sum_momenta(const Subsystem<World>& subsystem, const SubsystemData<World>& data,
+                     const VectorXd& v) {
+  const std::vector<Eigen::Index> starts = find_starts(subsystem);
+  std::vector<VectorXd> momenta;
+  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
+    const Eigen::Index nf = data.bodies[j].model->body->coordinates();
+    VectorXd rates(World::kTwist + nf);
+    rates << data.twists[j], v.segment(starts[j + 1] - nf, nf);
+    momenta.emplace_back(calc_body_mass(data.bodies[j]) * rates);
+  }
+  VectorXd on_coordinates;
+  const TwistOf<World> hub = pass_all_inward(subsystem, data, starts, momenta, on_coordinates);
+  VectorXd all(World::kTwist + on_coordinates.size());
+  all << hub, on_coordinates;
+  return all;
+}
+
 }  // namespace
 
+VectorXd calc_momenta(const Subsystem<Plane>& subsystem, const SubsystemData<Plane>& data,
+                      const VectorXd& v) {
+  return sum_momenta(subsystem, data, v);
+}
+VectorXd calc_momenta(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
+                      const VectorXd& v) {
+  return sum_momenta(subsystem, data, v);
+}
 void calc_forces(const Subsystem<Plane>& subsystem, SubsystemData<Plane>& data,
                  SubsystemResponse& response) {
   sum_forces(subsystem, data, response);

@@ -18,6 +18,14 @@ void calc_forces(const Subsystem<Plane>& subsystem, SubsystemData<Plane>& data,
 void calc_forces(const Subsystem<Space>& subsystem, SubsystemData<Space>& data,
                  SubsystemResponse& response);
 
+/// Returns the momenta that belong to the hub's twist and, below, to the coordinates, by the twists
+/// of frames in the table and the velocities `v` of the coordinates: a product with the mass
+/// matrix.
+Eigen::VectorXd calc_momenta(const Subsystem<Plane>& subsystem, const SubsystemData<Plane>& data,
+                             const Eigen::VectorXd& v);
+Eigen::VectorXd calc_momenta(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
+                             const Eigen::VectorXd& v);
+
 /// Returns what unit forces of the rows of loops are on hub and coordinates, see
 /// SteadyModel::closures().
 Eigen::MatrixXd calc_closures(const Subsystem<Plane>& subsystem, const SubsystemData<Plane>& data);

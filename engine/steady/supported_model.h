@@ -82,6 +82,9 @@ class SupportedModel final : public SteadyModel {
   bool is_hub_free() const override { return support_->is_hub_free(); }
   bool has_torque_drive() const override { return parts_.has_torque; }
   void set_share(double share) override;
+  void move_hub(double turn, double rate, double acceleration) override {
+    rotor_->move_hub(turn, rate, acceleration);
+  }
   Eigen::VectorXd initial(std::size_t i) const override { return of(i).initial(in(i)); }
   void settle(std::size_t i, Eigen::VectorXd& q) override { of(i).settle(in(i), q); }
   void settle_at(std::size_t i, const Eigen::VectorXd& absolute) override {
@@ -95,6 +98,9 @@ class SupportedModel final : public SteadyModel {
   const Eigen::MatrixXd& stiffness(std::size_t i) const override { return of(i).stiffness(in(i)); }
   Eigen::VectorXd accelerations(std::size_t i) override { return of(i).accelerations(in(i)); }
   SubsystemMatrices matrices(std::size_t i) override { return of(i).matrices(in(i)); }
+  Eigen::VectorXd momenta(std::size_t i, const Eigen::VectorXd& v) override {
+    return of(i).momenta(in(i), v);
+  }
   Eigen::MatrixXd twists(std::size_t i, int body) override { return of(i).twists(in(i), body); }
   const std::vector<ClosureRow>& closure_rows(std::size_t i) const override {
     return of(i).closure_rows(in(i));

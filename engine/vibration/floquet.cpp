@@ -1,257 +1,156 @@
-// Integrates a turn, and takes the modes of its matrix apart into harmonics.
+// Parts a periodic system, reduces it, and takes its modes back.
 
 #include "engine/vibration/floquet.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
+#include <utility>
 
-#include "engine/support/dense.h"
+#include "engine/vibration/periodic_basis.h"
+#include "engine/vibration/turn_modes.h"
 #include "models/error.h"
 
 namespace spoke::vibration {
 namespace {
 
 using Eigen::Index;
-using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
-using Eigen::VectorXcd;
-using Eigen::VectorXd;
-using Complex = std::complex<double>;
 
-constexpr double kCircle = 2.0 * std::numbers::pi;
-
-void require_turning(const PeriodicSystem& system) {
-  if (system.speed == 0.0)
-    throw InputError("the frame \"floquet\" expects a hub that turns: at rest nothing is periodic");
-  if (system.size() > kMostPeriodic)
-    throw InputError("the frame \"floquet\" expects at most " + std::to_string(kMostPeriodic) +
-                     " coordinates, got " + std::to_string(system.size()));
+void lift(const MatrixXd& V, std::vector<PeriodicMode>& modes) {
+  for (PeriodicMode& mode : modes)
+    for (Harmonic& harmonic : mode.harmonics) harmonic.amplitude = (V * harmonic.amplitude).eval();
 }
 
-/// Returns the system in coordinates of unit mass.
-PeriodicSystem scale(const PeriodicSystem& system, const VectorXd& factors) {
-  PeriodicSystem scaled = system;
-  for (Periodic* matrix : {&scaled.M, &scaled.C, &scaled.K})
-    for (MatrixXd& part : matrix->parts)
-      part = (factors.asDiagonal() * part * factors.asDiagonal()).eval();
-  return scaled;
-}
-
-/// Stages of the Radau IIA method (Hairer and Wanner, Solving Ordinary Differential Equations II,
-/// table IV.5.6).
-struct Radau {
-  Eigen::Matrix3d A;
-  Eigen::Vector3d c;
-};
-Radau make_radau() {
-  const double r = std::sqrt(6.0);
-  Radau method;
-  method.A << (88.0 - 7.0 * r) / 360.0, (296.0 - 169.0 * r) / 1800.0, (-2.0 + 3.0 * r) / 225.0,
-      (296.0 + 169.0 * r) / 1800.0, (88.0 + 7.0 * r) / 360.0, (-2.0 - 3.0 * r) / 225.0,
-      (16.0 - r) / 36.0, (16.0 + r) / 36.0, 1.0 / 9.0;
-  method.c << (4.0 - r) / 10.0, (4.0 + r) / 10.0, 1.0;
-  return method;
-}
-
-/// Takes columns of states (x, x') from azimuth psi over a step of h seconds: with accelerations
-/// a_i at the stages, x'_i = x' + h sum A_ij a_j and x_i = x + h c_i x' + h^2 sum (A A)_ij a_j. The
-/// last stage is the end.
-void step(const PeriodicSystem& system, const Radau& method, double psi, double h,
-          MatrixXd& states) {
-  const Index n = system.size();
-  const Eigen::Matrix3d twice = method.A * method.A;
-  MatrixXd left(3 * n, 3 * n), right(3 * n, states.cols());
-  const auto x = states.topRows(n), v = states.bottomRows(n);
-  for (Index i = 0; i < 3; ++i) {
-    const double at = psi + system.speed * h * method.c[i];
-    const MatrixXd C = system.C.at(at), K = system.K.at(at);
-    for (Index j = 0; j < 3; ++j)
-      left.block(i * n, j * n, n, n) = h * method.A(i, j) * C + h * h * twice(i, j) * K;
-    left.block(i * n, i * n, n, n) += system.M.at(at);
-    right.middleRows(i * n, n) = -C * v - K * (x + h * method.c[i] * v);
-  }
-  const MatrixXd a = LuFactors(left).solve(right);
-  states.topRows(n) += h * states.bottomRows(n);
-  for (Index j = 0; j < 3; ++j) {
-    states.topRows(n) += h * h * twice(2, j) * a.middleRows(j * n, n);
-    states.bottomRows(n) += h * method.A(2, j) * a.middleRows(j * n, n);
-  }
-}
-
-/// The states that begin as the identity, at equal parts of a turn.
-struct Turn {
-  std::vector<MatrixXd> states;  ///< the last after the whole turn
-  GeneralEigen eigen;            ///< of the whole turn
-};
-Turn integrate(const PeriodicSystem& system, Index samples, Index steps_between) {
-  static const Radau method = make_radau();
-  const double period = kCircle / std::abs(system.speed);
-  const auto steps = static_cast<double>(samples * steps_between);
-  Turn turn;
-  MatrixXd states = MatrixXd::Identity(2 * system.size(), 2 * system.size());
-  for (Index k = 0; k < samples; ++k) {
-    turn.states.push_back(states);
-    for (Index l = 0; l < steps_between; ++l) {
-      const double t = period * static_cast<double>(k * steps_between + l) / steps;
-      step(system, method, system.speed * t, period / steps, states);
-    }
-  }
-  turn.states.push_back(states);
-  turn.eigen = solve_general(states);
-  return turn;
-}
-
-/// Returns the harmonics of the periodic part of an eigenvector, from -samples/2 on.
-std::vector<Harmonic> list_harmonics(const Turn& turn, Index column, Complex exponent,
-                                     const PeriodicSystem& system) {
-  const Index samples = std::ssize(turn.states) - 1, n = system.size();
-  const double period = kCircle / std::abs(system.speed);
-  const VectorXcd start = turn.eigen.vectors.col(column);
-  MatrixXcd periodic(n, samples);
-  for (Index k = 0; k < samples; ++k) {
-    const double t = period * static_cast<double>(k) / static_cast<double>(samples);
-    periodic.col(k) = std::exp(-exponent * t) *
-                      (turn.states[static_cast<std::size_t>(k)].topRows(n).cast<Complex>() * start);
-  }
-  std::vector<Harmonic> harmonics;
-  double all = 0.0;
-  for (Index m = -samples / 2 + 1; m < samples / 2; ++m) {
-    Harmonic& harmonic = harmonics.emplace_back();
-    harmonic.multiple = static_cast<int>(m);
-    VectorXcd waves(samples);
-    for (Index k = 0; k < samples; ++k)
-      waves[k] = std::polar(
-          1.0 / static_cast<double>(samples),
-          -kCircle * static_cast<double>(m * k % samples) / static_cast<double>(samples));
-    harmonic.amplitude = periodic * waves;
-    const VectorXd real = harmonic.amplitude.real(), imag = harmonic.amplitude.imag();
-    harmonic.share = real.dot(system.M.parts[0] * real) + imag.dot(system.M.parts[0] * imag);
-    all += harmonic.share;
-  }
-  for (Harmonic& harmonic : harmonics) harmonic.share /= all;
-  return harmonics;
-}
-
-/// Whether the samples resolve a motion: otherwise its rates are faster than those of its
-/// harmonics, which then are those of a slower motion.
-bool is_resolved(const Turn& turn, Index column, Complex exponent,
-                 const std::vector<Harmonic>& harmonics, const PeriodicSystem& system) {
-  const Index n = system.size();
-  const VectorXcd start = turn.eigen.vectors.col(column);
-  const auto mass_of = [&](const VectorXcd& x) {
-    return x.real().dot(system.M.parts[0] * x.real()) + x.imag().dot(system.M.parts[0] * x.imag());
-  };
-  double of_place = 0.0, of_rate = 0.0;
-  for (Index k = 0; k + 1 < std::ssize(turn.states); ++k) {
-    const VectorXcd state = turn.states[static_cast<std::size_t>(k)].cast<Complex>() * start;
-    const double grown =
-        std::exp(-2.0 * exponent.real() * kCircle / std::abs(system.speed) *
-                 static_cast<double>(k) / static_cast<double>(std::ssize(turn.states) - 1));
-    of_place += grown * mass_of(state.head(n));
-    of_rate += grown * mass_of(state.tail(n));
-  }
-  double expected = 0.0;
-  for (const Harmonic& harmonic : harmonics)
-    expected += harmonic.share *
-                std::norm(exponent + Complex(0.0, harmonic.multiple * std::abs(system.speed)));
-  const double least = 1e-6 * system.speed * system.speed;  // of what stands
-  return of_rate <= 2.0 * (expected + least) * of_place;
-}
-
-/// Returns the mode of a multiplier; none if the conjugate one stands for it, or if
-/// it is too fast.
-std::vector<PeriodicMode> describe(const Turn& turn, Index column, const PeriodicSystem& system) {
-  constexpr double kEqual = 1e-6, kReal = 1e-10, kLeast = 1e-14;
-  const double w = std::abs(system.speed), period = kCircle / w;
-  Complex multiplier = turn.eigen.values[column];
-  if (std::abs(multiplier) < kLeast) return {};  // too stiff
-  if (std::abs(multiplier.imag()) < kReal * std::abs(multiplier)) multiplier.imag(0.0);
-  const Complex exponent = std::log(multiplier) / period;
-  PeriodicMode mode{exponent, multiplier, list_harmonics(turn, column, exponent, system)};
-  if (!is_resolved(turn, column, exponent, mode.harmonics, system)) return {};
-  const auto frequency = [&](const Harmonic& h) { return exponent.imag() + h.multiple * w; };
-  const Harmonic* strongest = &mode.harmonics[0];
-  for (const Harmonic& harmonic : mode.harmonics) {
-    const double more = harmonic.share - strongest->share;
-    // Real motions have pairs of equal harmonics.
-    if (more > kEqual || (more > -kEqual && frequency(harmonic) > frequency(*strongest)))
-      strongest = &harmonic;
-  }
-  const int shift = strongest->multiple;
-  mode.s.imag(frequency(*strongest));
-  if (mode.s.imag() < 0.0) return {};
-  for (Harmonic& harmonic : mode.harmonics) harmonic.multiple -= shift;
-  return {mode};
-}
-
-std::vector<PeriodicMode> list_modes(const Turn& turn, const PeriodicSystem& system, Index count) {
-  std::vector<PeriodicMode> modes;
-  for (Index k = 0; k < turn.eigen.values.size(); ++k)
-    for (PeriodicMode& mode : describe(turn, k, system)) modes.push_back(std::move(mode));
-  std::stable_sort(modes.begin(), modes.end(), [](const PeriodicMode& a, const PeriodicMode& b) {
-    return std::abs(a.s) < std::abs(b.s);
+/// Whether modes have the multipliers that they had.
+bool are_settled(const std::vector<PeriodicMode>& modes, const std::vector<PeriodicMode>& before) {
+  constexpr double kTolerance = 1e-9, kMeet = 1e-3, kHalf = 1e-4;
+  return std::all_of(modes.begin(), modes.end(), [&](const PeriodicMode& mode) {
+    const double size = std::max(std::abs(mode.multiplier), kTolerance);
+    double nearest = 1e300;
+    for (const PeriodicMode& other : before)
+      nearest = std::min(nearest, std::abs(other.multiplier - mode.multiplier));
+    const auto near = std::count_if(modes.begin(), modes.end(), [&](const PeriodicMode& other) {
+      return std::abs(other.multiplier - mode.multiplier) < kMeet * size;
+    });
+    return nearest <= size * (near > 1 ? kHalf : kTolerance);
   });
-  if (std::ssize(modes) > count) modes.resize(static_cast<std::size_t>(count));
+}
+
+/// Returns the modes of a system whose mean mass matrix has a diagonal of ones. What is stiff is
+/// left away, as over a turn it would take many steps.
+std::vector<PeriodicMode> find_reduced(const PeriodicSystem& system, Index count) {
+  MatrixXd V = find_low_motions(system, count);
+  std::vector<PeriodicMode> before;
+  for (;;) {
+    std::vector<PeriodicMode> modes = find_modes_over_turn(project(system, V), count);
+    lift(V, modes);
+    if (!before.empty() && are_settled(modes, before)) return modes;
+    const MatrixXd more = find_missing_motions(system, V, modes);
+    if (more.cols() == 0) return modes;
+    MatrixXd wider(V.rows(), V.cols() + more.cols());
+    wider << V, more;
+    V = std::move(wider);
+    before = std::move(modes);
+  }
+}
+
+std::vector<PeriodicMode> find_connected_modes(const PeriodicSystem& system, Index count) {
+  const MatrixXd factors = system.M.parts[0].diagonal().cwiseSqrt().cwiseInverse().asDiagonal();
+  std::vector<PeriodicMode> modes = find_reduced(project(system, factors), count);
+  lift(factors, modes);
   return modes;
 }
 
-/// Returns the magnitude that the `count` least roots of the mean system reach, as that shows how
-/// many steps are needed.
-double find_reach(const PeriodicSystem& system, Index count) {
-  const Index n = system.size();
-  MatrixXd first = MatrixXd::Zero(2 * n, 2 * n);
-  const LuFactors mass(system.M.parts[0]);
-  first.topRightCorner(n, n).setIdentity();
-  first.bottomLeftCorner(n, n) = -mass.solve(system.K.parts[0]);
-  first.bottomRightCorner(n, n) = -mass.solve(system.C.parts[0]);
-  VectorXd sizes = find_eigenvalues(first).cwiseAbs();
-  std::sort(sizes.begin(), sizes.end());
-  return sizes[std::min(2 * count, 2 * n) - 1];
+/// Returns the part of a system whose hub has no coordinates that is one subsystem's.
+PeriodicSystem take_subsystem(const PeriodicSystem& system, Index at, Index size) {
+  PeriodicSystem part = system;
+  for (Periodic* matrix : {&part.M, &part.C, &part.K})
+    for (MatrixXd& own : matrix->parts) own = MatrixXd(own.block(at, at, size, size));
+  part.starts = {0};
+  return part;
 }
 
-/// Whether each mode's multiplier is as near to one of the turn with half as many steps as the
-/// method's order promises. Of multipliers that meet, as those of a rigid motion, half of the
-/// digits are known.
-bool are_known(const std::vector<PeriodicMode>& modes, const Turn& turn, const Turn& rough) {
-  constexpr double kGain = 31.0, kTolerance = 1e-9, kMeet = 1e-3, kHalf = 1e-4;
-  return std::all_of(modes.begin(), modes.end(), [&](const PeriodicMode& mode) {
-    const double size = std::abs(mode.multiplier);
-    const auto near = ((turn.eigen.values.array() - mode.multiplier).abs() < kMeet * size).count();
-    const double error = (rough.eigen.values.array() - mode.multiplier).abs().minCoeff() / kGain;
-    return error <= std::max(size, kTolerance) * (near > 1 ? kHalf : kTolerance);
+Index size_of(std::size_t i, const PeriodicSystem& system) {
+  const Index end = i + 1 < system.starts.size() ? system.starts[i + 1] : system.size();
+  return end - system.starts[i];
+}
+
+/// Returns the subsystems that have the matrices of subsystem `i`, itself the first.
+std::vector<std::size_t> list_alike(std::size_t i, const PeriodicSystem& system) {
+  if (system.alike.empty()) return {i};
+  std::vector<std::size_t> list;
+  for (std::size_t k = 0; k < system.alike.size(); ++k)
+    if (system.alike[k] == i) list.push_back(k);
+  return list;
+}
+
+/// Returns the mode of subsystem `i` as one of subsystem `to`, which passes the same places.
+PeriodicMode move_mode(const PeriodicMode& mode, std::size_t i, std::size_t to,
+                       const PeriodicSystem& system) {
+  const double ahead = to == i ? 0.0 : system.azimuths[to] - system.azimuths[i];
+  PeriodicMode moved = mode;
+  for (Harmonic& harmonic : moved.harmonics) {
+    const double k = system.speed < 0.0 ? -harmonic.multiple : harmonic.multiple;
+    Eigen::VectorXcd all = Eigen::VectorXcd::Zero(system.size());
+    all.segment(system.starts[to], harmonic.amplitude.size()) =
+        std::polar(1.0, k * ahead) * harmonic.amplitude;
+    harmonic.amplitude = std::move(all);
+  }
+  return moved;
+}
+
+/// Returns the modes of subsystems that the hub does not couple; of those that are alike one after
+/// the other.
+std::vector<PeriodicMode> find_separate_modes(const PeriodicSystem& system, Index count) {
+  struct Group {
+    std::vector<std::size_t> subsystems;
+    PeriodicMode mode;
+  };
+  std::vector<Group> groups;
+  for (std::size_t i = 0; i < system.starts.size(); ++i) {
+    const std::vector<std::size_t> like = list_alike(i, system);
+    const Index size = size_of(i, system), copies = std::ssize(like);
+    if (size == 0 || copies == 0) continue;
+    const Index own = std::min((count + copies - 1) / copies, size);
+    for (PeriodicMode& mode :
+         find_connected_modes(take_subsystem(system, system.starts[i], size), own))
+      groups.push_back({like, std::move(mode)});
+  }
+  std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) {
+    return std::abs(a.mode.s) < std::abs(b.mode.s);
   });
+  std::vector<PeriodicMode> modes;
+  for (const Group& group : groups)
+    for (const std::size_t to : group.subsystems)
+      if (std::ssize(modes) < count)
+        modes.push_back(move_mode(group.mode, group.subsystems[0], to, system));
+  return modes;
 }
 
 }  // namespace
 
-std::vector<PeriodicMode> find_periodic_modes(const PeriodicSystem& system, Index count) {
-  require_turning(system);
-  if (system.size() == 0 || count < 1) return {};
-  constexpr Index kMostSteps = 1 << 15;
-  const VectorXd factors = system.M.parts[0].diagonal().cwiseSqrt().cwiseInverse();
-  const PeriodicSystem scaled = scale(system, factors);
-  const double w = std::abs(system.speed);
-  const double reach = find_reach(scaled, count) / w + 4.0;
-  Index samples = 16;
-  while (static_cast<double>(samples) < 4.0 * reach) samples *= 2;
-  if (4 * samples > kMostSteps)
-    throw InputError("the frame \"floquet\" would take more than " + std::to_string(kMostSteps) +
-                     " steps over a turn for " + std::to_string(count) +
-                     " modes: expected fewer modes, or a faster hub");
-  Turn rough = integrate(scaled, samples, 2);
-  std::vector<PeriodicMode> modes;
-  for (Index between = 4; samples * between <= kMostSteps; between *= 2) {
-    Turn turn = integrate(scaled, samples, between);
-    modes = list_modes(turn, scaled, count);
-    if (are_known(modes, turn, rough)) break;
-    rough = std::move(turn);
+void require_periodic(const PeriodicSystem& system) {
+  if (system.speed == 0.0)
+    throw InputError("the frame \"floquet\" expects a hub that turns: at rest nothing is periodic");
+  Index size = system.size();
+  std::string whose;
+  if (system.hub == 0 && !system.starts.empty()) {
+    size = 0;
+    for (std::size_t i = 0; i < system.starts.size(); ++i)
+      size = std::max(size, size_of(i, system));
+    whose = " of each blade";
   }
-  for (PeriodicMode& mode : modes)
-    for (Harmonic& harmonic : mode.harmonics)
-      harmonic.amplitude = (factors.asDiagonal() * harmonic.amplitude).eval();
-  return modes;
+  if (size > kMostPeriodic)
+    throw InputError("the frame \"floquet\" expects at most " + std::to_string(kMostPeriodic) +
+                     " coordinates" + whose + ", got " + std::to_string(size));
+}
+
+std::vector<PeriodicMode> find_periodic_modes(const PeriodicSystem& system, Index count) {
+  require_periodic(system);
+  if (system.size() == 0 || count < 1) return {};
+  if (system.hub == 0 && system.starts.size() > 1) return find_separate_modes(system, count);
+  return find_connected_modes(system, count);
 }
 
 }  // namespace spoke::vibration

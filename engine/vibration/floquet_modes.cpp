@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "engine/vibration/floquet.h"
+#include "engine/vibration/periodic_orbit.h"
 #include "engine/vibration/support_names.h"
 #include "models/error.h"
 
@@ -65,15 +68,16 @@ std::string find_pattern(std::size_t i, const VectorXcd& x, const Periodically& 
   return name_pattern(subsystems, azimuths);
 }
 
-/// Returns a mode by its strongest harmonic, its name without a number: kind and pattern.
-Mode make_periodic_mode(const PeriodicMode& periodic, const Periodically& rotor, KindNames& kinds) {
+/// Returns a mode by its strongest harmonic, its name without a number: kind and pattern. `kinds`:
+/// by whose modes they are.
+Mode make_periodic_mode(const PeriodicMode& periodic, const Periodically& rotor,
+                        std::map<std::string, KindNames>& kinds) {
   const Linearised& all = rotor.all;
   const VectorXcd x =
       strongest(periodic) / std::sqrt(calc_mass(strongest(periodic), rotor.system.M.parts[0]));
   const VectorXcd hub = x.head(rotor.system.hub);
   Mode mode = make_mode({is_rigid(periodic, rotor.system.speed) ? 0.0 : periodic.s, {}});
   mode.coordinates = x;
-  mode.of = "all";
   mode.harmonics = list_harmonics(periodic, rotor.system);
   set_hub_motion(hub, all, mode);
   EnergySum energies(all);
@@ -90,10 +94,11 @@ Mode make_periodic_mode(const PeriodicMode& periodic, const Periodically& rotor,
     most = i;
   }
   vibration::normalise(mode);
+  mode.of = hub.size() > 0 ? "all" : all.model.name_of(most);
   const Index h = hub.size();
   Eigen::MatrixXd carried = rotor.system.M.parts[0].topLeftCorner(h, h);
   if (all.linear.support) carried -= all.linear.support->M;
-  const double of_hub = calc_mass(hub, carried);
+  const double of_hub = h > 0 ? calc_mass(hub, carried) : 0.0;
   mode.energy = energies.share_out(of_hub);
   if (all.linear.support && is_of_support(mode.energy)) {
     mode.kind = name_support_motion(hub, all);
@@ -103,15 +108,16 @@ Mode make_periodic_mode(const PeriodicMode& periodic, const Periodically& rotor,
     mode.kind = "hub";
     return mode;
   }
-  mode.kind = kinds.name(list_independent(most, all.linear, all.model), rotor.part_of(most, x),
-                         all.linear.subsystem(most).M, largest);
-  mode.name = find_pattern(most, x, rotor);
+  mode.kind = kinds[mode.of].name(list_independent(most, all.linear, all.model),
+                                  rotor.part_of(most, x), all.linear.subsystem(most).M, largest);
+  if (hub.size() > 0) mode.name = find_pattern(most, x, rotor);
   return mode;
 }
 
 }  // namespace
 
-void add_floquet_modes(const ModeCount& count, const Linearised& all, ModesResult& result) {
+void add_floquet_modes(const ModeCount& count, const Linearised& all, steady::SteadyModel* whole,
+                       ModesResult& result) {
   const StandingAxes axes =
       make_standing_axes(all.model.free_components(), all.model.is_spatial(), all.model.speed());
   PeriodicSystem system = make_periodic(all.linear, axes);
@@ -119,10 +125,16 @@ void add_floquet_modes(const ModeCount& count, const Linearised& all, ModesResul
     system = stand_on(system, support->J, {support->M, support->C, support->K});
   if (system.size() == 0)
     throw InputError("nothing of the model moves, expected a body or a joint that does");
+  system.alike = all.linear.alike;
+  system.azimuths = all.model.azimuths();
   const Index wanted = find_count(count, system.size());
+  require_periodic(system);
+  if (whole && can_have_orbit(all))
+    if (const auto orbit = find_periodic_orbit(all, system, *whole))
+      system = linearise_along(*orbit, all, system, *whole);
   const Periodically rotor{all, system};
   std::map<std::string, int> numbers;
-  KindNames kinds;
+  std::map<std::string, KindNames> kinds;
   int standing = 0;
   for (const PeriodicMode& periodic : find_periodic_modes(system, wanted + system.hub)) {
     // Two multipliers of one belong to each motion that goes on.
@@ -132,7 +144,7 @@ void add_floquet_modes(const ModeCount& count, const Linearised& all, ModesResul
     const std::string pattern = mode.kind == "hub" || mode.name.empty() ? "" : ' ' + mode.name;
     const std::string kind = mode.eigenvalue == 0.0 ? "rigid motion" : mode.kind;
     const std::string after = mode.eigenvalue == 0.0 ? "" : pattern;
-    const int number = ++numbers[kind + after];
+    const int number = ++numbers[mode.of + kind + after];
     const bool is_alone = number == 1 && all.linear.support && is_of_support(mode.energy);
     mode.name = kind + (is_alone ? "" : ' ' + std::to_string(number)) + after;
     result.modes.push_back(std::move(mode));

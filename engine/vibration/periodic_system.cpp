@@ -11,12 +11,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-Periodic make_zero(Index rows, Index columns) {
-  Periodic zero;
-  zero.parts.fill(MatrixXd::Zero(rows, columns));
-  return zero;
-}
-
 /// Adds a block of first degree.
 void add(const Turning& block, Index row, Index column, Periodic& sum) {
   const MatrixXd* parts[] = {&block.mean, &block.cosine, &block.sine};
@@ -51,8 +45,17 @@ void add_turned(const MatrixXd& A, const Turning& T, Periodic& sum) {
 }  // namespace
 
 MatrixXd Periodic::at(double psi) const {
-  return parts[0] + std::cos(psi) * parts[1] + std::sin(psi) * parts[2] +
-         std::cos(2.0 * psi) * parts[3] + std::sin(2.0 * psi) * parts[4];
+  MatrixXd sum = parts[0];
+  for (std::size_t k = 1; k < parts.size(); ++k) {
+    const double angle = psi * static_cast<double>((k + 1) / 2);
+    sum += (k % 2 == 1 ? std::cos(angle) : std::sin(angle)) * parts[k];
+  }
+  return sum;
+}
+
+Periodic make_zero_periodic(Index size, Index degree) {
+  const auto count = static_cast<std::size_t>(2 * degree + 1);
+  return {std::vector<MatrixXd>(count, MatrixXd::Zero(size, size))};
 }
 
 PeriodicSystem make_periodic(const steady::LinearModel& turning, const StandingAxes& axes) {
@@ -64,7 +67,7 @@ PeriodicSystem make_periodic(const steady::LinearModel& turning, const StandingA
     system.starts.push_back(size);
     size += turning.subsystem(i).M.rows();
   }
-  system.M = system.C = system.K = make_zero(size, size);
+  system.M = system.C = system.K = make_zero_periodic(size, 2);
   if (turning.is_coupled()) {
     const SecondOrder own = stand_columns({turning.M, turning.C, turning.K}, axes);
     add_turned(own.M, axes.T, system.M);

@@ -2,7 +2,6 @@
 
 // Any rotor on a hub that moves, seen from outside: matrices that depend on the azimuth.
 
-#include <array>
 #include <vector>
 
 #include "engine/steady/linear_model.h"
@@ -10,13 +9,16 @@
 
 namespace spoke::vibration {
 
-/// A matrix of second degree in the azimuth psi of the hub.
+/// A matrix that is a trigonometric polynomial in the azimuth psi of the hub.
 struct Periodic {
-  /// Factors of 1, cos psi, sin psi, cos 2 psi, sin 2 psi.
-  std::array<Eigen::MatrixXd, 5> parts;
+  /// Factors of 1, cos psi, sin psi, cos 2 psi, sin 2 psi, ...
+  std::vector<Eigen::MatrixXd> parts;
 
   Eigen::MatrixXd at(double psi) const;
 };
+
+/// Returns a square matrix of this degree that is zero.
+Periodic make_zero_periodic(Eigen::Index size, Eigen::Index degree);
 
 /// Small motions M(psi) x'' + C(psi) x' + K(psi) x = 0 with psi = speed t. Coordinates x are those
 /// of the hub along standing axes, then those of each subsystem, which turns with the hub.
@@ -25,6 +27,10 @@ struct PeriodicSystem {
   double speed = 0.0;                ///< [rad/s]
   Eigen::Index hub = 0;              ///< number of the hub's coordinates
   std::vector<Eigen::Index> starts;  ///< first coordinate of each subsystem
+  /// For each subsystem the first one that has its matrices where it passes the same place, and the
+  /// azimuths of all; empty: not known.
+  std::vector<std::size_t> alike = {};
+  std::vector<double> azimuths = {};
 
   Eigen::Index size() const { return M.parts[0].rows(); }
 };

@@ -229,7 +229,8 @@ void add_coupled_modes(const ModeCount& count, const Linearised& all, ModesResul
 }  // namespace
 
 ModesResult vibration::make_modes(const LinearModel& linear, const Equilibrium& equilibrium,
-                                  ModeFrame frame, const ModeCount& count, SteadyModel& model) {
+                                  ModeFrame frame, const ModeCount& count, SteadyModel& model,
+                                  SteadyModel* whole) {
   ModesResult result;
   result.equilibrium = steady::describe(equilibrium, model);
   result.are_blades_coupled = linear.is_coupled();
@@ -241,7 +242,7 @@ ModesResult vibration::make_modes(const LinearModel& linear, const Equilibrium& 
     return result;
   }
   if (frame == ModeFrame::floquet) {
-    vibration::add_floquet_modes(count, all, result);
+    vibration::add_floquet_modes(count, all, whole, result);
     return result;
   }
   if (linear.is_coupled()) {
@@ -279,7 +280,10 @@ ModesResult vibration::solve_modes(const Scenario& scenario, const SteadyState& 
           "support the frames \"fixed\" and \"floquet\" have modes");
     steady::stand_on(*linear.support, linear);
   }
-  ModesResult result = make_modes(linear, equilibrium, frame, count, *model);
+  std::unique_ptr<SteadyModel> whole;
+  if (frame == ModeFrame::floquet && !linear.support)
+    whole = steady::make_steady_model(scenario, {.speed = speed, .is_whole = true});
+  ModesResult result = make_modes(linear, equilibrium, frame, count, *model, whole.get());
   steady::add_warnings(scenario, result.equilibrium);
   return result;
 }

@@ -95,7 +95,8 @@ const char* const kModesText =
     R"(About the equilibrium of spoke static, in the frame that turns with the hub: eigenvalues of the
 linearised model, real ones at rest without damping, else complex ones. With --frame fixed as seen
 from outside, in multi-blade coordinates: collective, progressive and regressive modes of 3 or more
-equal blades; with --frame floquet of any blades, by harmonics. See docs/modes.md.
+equal blades; with --frame floquet of any blades, by harmonics, about the motion that gravity across
+the axis causes. See docs/modes.md.
 
 Output files, in the folder of --out:
   modes.html  the chosen mode as a moving picture

@@ -22,7 +22,13 @@ void bind_recording(pybind11::module_& module);
 void bind_trace(pybind11::module_& module);
 /// Binds solids reduced to modes.
 void bind_reduce(pybind11::module_& module);
-/// Binds equilibria, modes, Campbell diagrams and critical values.
-void bind_steady(pybind11::module_& module);
+/// Binds equilibria.
+void bind_equilibrium(pybind11::module_& module);
+/// Binds modes.
+void bind_modes(pybind11::module_& module);
+/// Binds Campbell diagrams.
+void bind_campbell(pybind11::module_& module);
+/// Binds searches for critical values.
+void bind_critical(pybind11::module_& module);
 
 }  // namespace spoke::python

@@ -13,5 +13,8 @@ PYBIND11_MODULE(_spoke, module) {
   spoke::python::bind_recording(module);
   spoke::python::bind_trace(module);
   spoke::python::bind_reduce(module);
-  spoke::python::bind_steady(module);
+  spoke::python::bind_equilibrium(module);
+  spoke::python::bind_modes(module);
+  spoke::python::bind_campbell(module);
+  spoke::python::bind_critical(module);
 }

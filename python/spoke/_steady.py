@@ -16,19 +16,24 @@ def equilibrium(scenario, *, set=None, speed=None):
     return _spoke._solve_equilibrium(read_scenario(scenario, set), speed)
 
 
-def modes(scenario, *, set=None, speed=None, count=None):
-    """Finds the lowest Modes of a model about its equilibrium, in the hub's turning frame.
+def modes(scenario, *, set=None, speed=None, count=None, frame="turning"):
+    """Finds the lowest Modes of a model about its equilibrium.
 
     scenario, set, speed: as of equilibrium().
     count: how many, of each blade where blades do not couple, else of the whole model; None: 10, or
         as many as there are.
+    frame: from where vibrations are seen, "turning" with the hub; "fixed": from outside, of three or
+        more equal blades; "floquet": of any blades, whose modes then have harmonics. In these two
+        count is of the whole model.
 
-    Raises like equilibrium(), but for what nothing holds: that is a mode of frequency zero.
+    Raises like equilibrium(), but for what nothing holds: that is a mode of frequency zero; and
+    InputError if the frame is not for such a model.
     """
-    return _spoke._solve_modes(read_scenario(scenario, set), speed, count)
+    return _spoke._solve_modes(read_scenario(scenario, set), speed, count, frame)
 
 
-def campbell(scenario, speeds, *, set=None, count=None, harmonics=6, threads=None):
+def campbell(scenario, speeds, *, set=None, count=None, harmonics=6, threads=None,
+             frame="turning"):
     """Follows modes over speeds of rotation: a Campbell diagram.
 
     scenario, set: as of read_scenario().
@@ -36,11 +41,12 @@ def campbell(scenario, speeds, *, set=None, count=None, harmonics=6, threads=Non
     count: modes to follow, as of modes(); None: 6, or as many as there are.
     harmonics: excitation lines, from once per revolution on.
     threads: on which speeds are shared out; None: all that are available.
+    frame: as of modes().
 
     Raises like modes(), and InputError unless speeds ascend.
     """
     return _spoke._solve_campbell(read_scenario(scenario, set), speeds, count, harmonics,
-                                  threads or 0)
+                                  threads or 0, frame)
 
 
 def critical(scenario, of, start, end, *, set=None, speed=None, points=21, count=None):

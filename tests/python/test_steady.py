@@ -84,6 +84,45 @@ def test_modes_are_those_of_the_program(program):
     assert found[-1].frequency == found.frequencies[-1]
 
 
+def test_modes_are_seen_from_outside(program):
+    folder = program("modes", ROTOR, "--speed", 3, "--count", 6, "--frame", "fixed")
+    rows = np.genfromtxt(folder / "modes.csv", delimiter=",", names=True, dtype=None,
+                         encoding="utf-8")
+    found = spoke.modes(ROTOR, speed=3.0, count=6, frame="fixed")
+    assert found.frame == "fixed"
+    assert np.array_equal(found.frequencies, rows["frequency_rad_per_s"])
+    turning = spoke.modes(ROTOR, speed=3.0, count=1)
+    assert turning.frame == "turning" and turning[0].harmonics == []
+    # A whirl at w in the blades' frame is seen at w + 3 rad/s and |w - 3 rad/s|.
+    w = {mode.name: mode.frequency for mode in found}
+    assert w["lag 1 collective"] == pytest.approx(turning.frequencies[0])
+    assert w["lag 1 progressive"] == pytest.approx(turning.frequencies[0] + 3.0)
+    assert w["lag 1 regressive"] == pytest.approx(abs(turning.frequencies[0] - 3.0))
+    with pytest.raises(spoke.InputError, match='expected "turning", "fixed" or "floquet"'):
+        spoke.modes(ROTOR, speed=3.0, frame="outside")
+
+
+def test_periodic_modes_have_harmonics(program):
+    falling = {"gravity": {"acceleration": [0.0, -2.0]}}
+    found = spoke.modes(ROTOR, speed=3.0, count=3, frame="floquet", set=falling)
+    assert found.frame == "floquet"
+    for mode in found:
+        assert sum(h["share"] for h in mode.harmonics) == pytest.approx(1.0, abs=1e-4)
+        main = [h for h in mode.harmonics if h["multiple"] == 0]
+        assert main[0]["frequency"] == pytest.approx(mode.frequency)
+        assert all(h["of_hub"] == 0.0 for h in mode.harmonics)  # it is driven
+    assert len(found[0].harmonics) > 1
+
+
+def test_a_campbell_diagram_is_seen_from_outside():
+    speeds = [1.0, 2.0, 3.0]
+    found = spoke.campbell(ROTOR, speeds, count=3, frame="fixed")
+    assert {state.frame for state in found.states} == {"fixed"}
+    assert "lag 1 progressive" in {branch["name"] for branch in found.branches}
+    with pytest.raises(spoke.InputError, match="expects a hub that turns"):
+        spoke.campbell(ROTOR, [0.0, 1.0], frame="floquet")
+
+
 def test_a_campbell_diagram_follows_modes():
     speeds = np.linspace(0.0, 4.0, 3)
     found = spoke.campbell(ROTOR, speeds, count=2, harmonics=3, set={"blade.count": 1})

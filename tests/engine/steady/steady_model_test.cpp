@@ -49,6 +49,8 @@ void check_forces(const Scenario& scenario, double speed) {
     const VectorXd inertia = matrices.mass.bottomRightCorner(a.size(), a.size()) * a;
     CHECK((inertia - response.force).norm() < 1e-8 * response.force.norm());
     CHECK((matrices.mass - matrices.mass.transpose()).norm() < 1e-13 * matrices.mass.norm());
+    const VectorXd momenta = matrices.mass.rightCols(a.size()) * state.v;
+    CHECK((model->momenta(i, state.v) - momenta).norm() < 1e-12 * momenta.norm());
   }
 }
 

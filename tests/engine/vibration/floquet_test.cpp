@@ -14,7 +14,10 @@
 #include <vector>
 
 #include "engine/vibration/multi_blade.h"
+#include "engine/vibration/periodic_basis.h"
+#include "engine/vibration/turn_modes.h"
 #include "tests/contains.h"
+#include "tests/engine/steady/blades.h"
 #include "tests/engine/vibration/lag_rotor.h"
 #include "tests/message_of.h"
 
@@ -157,11 +160,64 @@ TEST_CASE("floquet: three blades have the roots of multi-blade coordinates but f
   }
 }
 
+TEST_CASE("floquet: a system that is reduced has the multipliers of the whole") {
+  // Soft enough for the steps of the whole to resolve all of it.
+  Scenario scenario = test::make_planar({.bodies = 1, .elements = 2, .axial_stiffness = 50.0});
+  scenario.rotor.blades.push_back(scenario.rotor.blades[0]);
+  scenario.rotor.blades[1].azimuth += 2.1;
+  constexpr double kSpeed = 2.0;
+  const auto model = steady::make_steady_model(scenario, {.speed = kSpeed, .is_axial = true});
+  const steady::Equilibrium equilibrium = steady::find_equilibrium(*model);
+  const auto free = steady::HubFreedom::all;
+  const PeriodicSystem system = vibration::stand_on(
+      vibration::make_periodic(
+          steady::linearize(equilibrium, *model, free),
+          vibration::make_standing_axes(steady::list_components(*model, free), false, kSpeed)),
+      Eigen::MatrixXd::Identity(3, 3),
+      {Eigen::Vector3d(1.0, 2.0, 1.0).asDiagonal(), Eigen::Vector3d(0.1, 0.2, 0.1).asDiagonal(),
+       Eigen::Vector3d(8.0, 17.0, 5.0).asDiagonal()});
+  REQUIRE(system.size() == 15);
+  constexpr int kCount = 3;
+  const auto reduced = vibration::find_periodic_modes(system, kCount);
+  auto whole = vibration::find_modes_over_turn(system, system.size());
+  whole.resize(kCount);
+  REQUIRE(reduced.size() == kCount);
+  for (std::size_t k = 0; k < kCount; ++k) {
+    CHECK(std::abs(reduced[k].multiplier - whole[k].multiplier) < 1e-8);
+    CHECK(std::abs(reduced[k].s - whole[k].s) < 1e-8 * std::abs(whole[k].s));
+    for (const vibration::Harmonic& harmonic : reduced[k].harmonics)
+      for (const vibration::Harmonic& same : whole[k].harmonics)
+        if (harmonic.multiple == same.multiple) CHECK(std::abs(harmonic.share - same.share) < 1e-7);
+  }
+  // The basis is smaller, and the first one not enough.
+  const Eigen::MatrixXd V = vibration::find_low_motions(system, kCount);
+  const Eigen::MatrixXd& M = system.M.parts[0];
+  CHECK(V.cols() < system.size());
+  const Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(V.cols(), V.cols());
+  CHECK((V.transpose() * M * V - unit).norm() < 1e-9);
+  auto modes = vibration::find_modes_over_turn(vibration::project(system, V), kCount);
+  for (PeriodicMode& mode : modes)
+    for (vibration::Harmonic& harmonic : mode.harmonics)
+      harmonic.amplitude = (V * harmonic.amplitude).eval();
+  const Eigen::MatrixXd more = vibration::find_missing_motions(system, V, modes);
+  CHECK(more.cols() > 0);
+  CHECK((V.transpose() * M * more).norm() < 1e-9);
+}
+
 TEST_CASE("floquet: what it cannot take is refused with the size") {
   CHECK(test::message_of([] { vibration::find_periodic_modes(make_system(2, 0.0, {}), 1); }) ==
         "the frame \"floquet\" expects a hub that turns: at rest nothing is periodic");
-  CHECK(test::message_of([] { vibration::find_periodic_modes(make_system(240, 1.0, {}), 1); }) ==
-        "the frame \"floquet\" expects at most 200 coordinates, got 242");
+  PeriodicSystem large{{}, {}, {}, 1.0, 1, {1, 301}};
+  large.M = large.C = large.K = vibration::make_zero_periodic(601, 0);
+  CHECK(test::message_of([&] { vibration::find_periodic_modes(large, 1); }) ==
+        "the frame \"floquet\" expects at most 600 coordinates, got 601");
+  // Of what the hub does not couple each part counts.
+  large.hub = 0;
+  large.starts = {0};
+  CHECK(test::message_of([&] { vibration::find_periodic_modes(large, 1); }) ==
+        "the frame \"floquet\" expects at most 600 coordinates of each blade, got 601");
+  large.starts = {0, 300};
+  CHECK_NOTHROW(vibration::require_periodic(large));
 }
 
 }  // namespace spoke

@@ -1,0 +1,139 @@
+// Binds equilibria: values, with arrays made when asked for.
+
+#include "engine/equilibrium.h"
+
+#include <pybind11/eigen.h>
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "program/steady_report/static_files.h"
+#include "python/bindings/bindings.h"
+#include "python/bindings/results.h"
+
+namespace spoke::python {
+namespace {
+
+namespace py = pybind11;
+using namespace py::literals;
+
+/// An equilibrium, and further data of its page.
+struct Equilibrium {
+  EquilibriumResult result;
+  Scenario scenario;
+};
+
+std::string vector_text(const Eigen::Vector3d& v) {
+  return py::str("[{:.6g}, {:.6g}, {:.6g}]").format(v.x(), v.y(), v.z());
+}
+
+std::string describe(const EquilibriumResult& result) {
+  std::string text = "<spoke.Equilibrium at " + six_digits(result.speed) + " rad/s, " +
+                     counted_text(result.blades.size(), "subsystem");
+  const auto largest =
+      std::max_element(result.blades.begin(), result.blades.end(),
+                       [](const BladeEquilibrium& a, const BladeEquilibrium& b) {
+                         return a.tip_displacement.norm() < b.tip_displacement.norm();
+                       });
+  if (largest != result.blades.end())
+    text += ", largest tip displacement " + six_digits(largest->tip_displacement.norm()) + " m (" +
+            largest->name + ")";
+  return text + ">";
+}
+
+}  // namespace
+
+void bind_equilibrium(py::module_& module) {
+  py::class_<JointPosition>(module, "JointPosition", "A coordinate of a joint in equilibrium.")
+      .def_readonly("name", &JointPosition::name)
+      .def_readonly("value", &JointPosition::value, "[rad], or [m] if it slides")
+      .def_readonly("turns", &JointPosition::turns, "Whether it is an angle.")
+      .def("__repr__", [](const JointPosition& joint) {
+        return "<spoke.JointPosition " + joint.name + ", " + six_digits(joint.value) +
+               (joint.turns ? " rad>" : " m>");
+      });
+  py::class_<SectionLoad>(module, "SectionLoad",
+                          "What the outer part of a blade exerts on the inner one where a body "
+                          "begins, in axes of the section there: as the sensor section_force.")
+      .def_readonly("body", &SectionLoad::body, "That begins there.")
+      .def_readonly("station", &SectionLoad::station, "Undeformed distance from the root [m].")
+      .def_readonly("force", &SectionLoad::force, "(3,) [N]")
+      .def_readonly("moment", &SectionLoad::moment, "(3,) [N m]")
+      .def("__repr__", [](const SectionLoad& load) {
+        return "<spoke.SectionLoad at " + six_digits(load.station) + " m, force " +
+               vector_text(load.force) + " N, moment " + vector_text(load.moment) + " N m>";
+      });
+  py::class_<LoopLoad>(
+      module, "LoopLoad",
+      "What the closure of a loop exerts on its place `from`, about it; hub frame.")
+      .def_readonly("name", &LoopLoad::name)
+      .def_readonly("force", &LoopLoad::force, "(3,) [N]")
+      .def_readonly("moment", &LoopLoad::moment, "(3,) [N m]")
+      .def_readonly("tension", &LoopLoad::tension, "Of a loop of kind distance [N]; else None.")
+      .def("__repr__", [](const LoopLoad& load) {
+        return "<spoke.LoopLoad " + load.name + ", force " + vector_text(load.force) +
+               " N, moment " + vector_text(load.moment) + " N m>";
+      });
+  py::class_<BladeEquilibrium>(module, "BladeEquilibrium",
+                               "A blade, or another subsystem, in equilibrium; hub frame.")
+      .def_readonly("name", &BladeEquilibrium::name)
+      .def_readonly("tip_displacement", &BladeEquilibrium::tip_displacement, "(3,) [m]")
+      .def_readonly("tip_rotation", &BladeEquilibrium::tip_rotation, "(3,) rotation vector [rad]")
+      .def_readonly("joints", &BladeEquilibrium::joints, "That are free.")
+      .def_readonly("loads", &BladeEquilibrium::loads, "From the root on.")
+      .def_readonly("loops", &BladeEquilibrium::loops, "That are closed.")
+      .def_readonly("bending", &BladeEquilibrium::bending,
+                    "By body: its largest deflection across its axis by its length.")
+      .def_property_readonly(
+          "nodes", [](const BladeEquilibrium& blade) { return rows_of(blade.nodes); },
+          "(nodes, 3): places from root to tip, body after body: the last node of a body is "
+          "the first of the next [m]")
+      .def_property_readonly(
+          "undeformed", [](const BladeEquilibrium& blade) { return rows_of(blade.undeformed); },
+          "(nodes, 3): of the same nodes [m]")
+      .def("__repr__", [](const BladeEquilibrium& blade) {
+        return "<spoke.BladeEquilibrium " + blade.name + ", tip displacement " +
+               vector_text(blade.tip_displacement) + " m>";
+      });
+  const auto get = [](auto EquilibriumResult::*member) {
+    return [member](const Equilibrium& equilibrium) { return equilibrium.result.*member; };
+  };
+  py::class_<Equilibrium>(module, "Equilibrium", "A model in steady rotation, or at rest.")
+      .def_property_readonly("speed", get(&EquilibriumResult::speed), "Of the hub [rad/s].")
+      .def_property_readonly("blades", get(&EquilibriumResult::blades), "Then other subsystems.")
+      .def_property_readonly("hub_force", get(&EquilibriumResult::hub_force),
+                             "(3,) of support and drive on the hub, hub frame [N]")
+      .def_property_readonly("hub_moment", get(&EquilibriumResult::hub_moment),
+                             "(3,) likewise, about the hub's origin [N m]")
+      .def_property_readonly("iterations", get(&EquilibriumResult::iterations),
+                             "Of Newton's method, over all blades.")
+      .def_property_readonly("load_steps", get(&EquilibriumResult::load_steps),
+                             "In which loads were applied.")
+      .def_property_readonly(
+          "warnings",
+          [](const Equilibrium& e) {
+            std::vector<std::string> texts;
+            for (const Warning& warning : e.result.warnings) texts.push_back(warning.text);
+            return texts;
+          },
+          "What makes it doubtful, as of a run.")
+      .def(
+          "page",
+          [](const Equilibrium& e) {
+            return steady_report::make_html(e.result, e.scenario, title_of(e.scenario));
+          },
+          "static.html: one page without network.")
+      .def("__repr__", [](const Equilibrium& e) { return describe(e.result); });
+  module.def(
+      "_solve_equilibrium",
+      [](const Scenario& scenario, std::optional<double> speed) {
+        return Equilibrium{solve_equilibrium(scenario, {speed}), scenario};
+      },
+      py::call_guard<py::gil_scoped_release>());
+}
+
+}  // namespace spoke::python
