@@ -114,9 +114,35 @@ def test_periodic_modes_have_harmonics(program):
     assert len(found[0].harmonics) > 1
 
 
+def test_a_flexible_blade_comes_to_its_motion_under_gravity_by_its_multiplier():
+    speed, per_turn, turns = 4.0, 400, 80
+    period = 2.0 * np.pi / speed
+    blade = {"blade.count": 1, "blade.bodies": 2, "blade.elements": 2,
+             "hub.drive": {"kind": "constant", "speed": speed},
+             "damping": {"stiffness_factor": 0.02}}
+    falling = {**blade, "gravity": {"acceleration": [0.0, -9.81]}}
+    run = spoke.Simulation(ROTOR, set={
+        **falling, "initial": {"state": "equilibrium"}, "output.interval": period,
+        "integration.step": period / per_turn, "integration.duration": turns * period,
+        "integration.spectral_radius": 1.0}).run()
+    # From turn to turn the distance from the periodic motion goes by a multiplier and its conjugate.
+    left = np.diff(np.stack([run["blade1.tip.x"], run["blade1.tip.y"]], 1), axis=0)[turns // 2:]
+    before = np.stack([left[1:-1].ravel(), left[:-2].ravel()], 1)
+    double_real, minus_square = np.linalg.lstsq(before, left[2:].ravel(), rcond=None)[0]
+
+    def multiplier(scenario):
+        mode = spoke.modes(ROTOR, speed=speed, count=1, frame="floquet", set=scenario)[0]
+        return np.exp(mode.eigenvalue * period)
+
+    found = multiplier(falling)
+    assert 2.0 * found.real == pytest.approx(double_real, abs=4e-4)
+    assert abs(found) ** 2 == pytest.approx(-minus_square, abs=4e-4)
+    assert abs(found - multiplier(blade)) > 0.05  # gravity counts
+
+
 def test_a_campbell_diagram_is_seen_from_outside():
     speeds = [1.0, 2.0, 3.0]
-    found = spoke.campbell(ROTOR, speeds, count=3, frame="fixed")
+    found = spoke.campbell(ROTOR, speeds, count=3, frame="fixed", set={"blade.bodies": 1})
     assert {state.frame for state in found.states} == {"fixed"}
     assert "lag 1 progressive" in {branch["name"] for branch in found.branches}
     with pytest.raises(spoke.InputError, match="expects a hub that turns"):
