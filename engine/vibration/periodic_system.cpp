@@ -47,7 +47,8 @@ void add_turned(const MatrixXd& A, const Turning& T, Periodic& sum) {
 MatrixXd Periodic::at(double psi) const {
   MatrixXd sum = parts[0];
   for (std::size_t k = 1; k < parts.size(); ++k) {
-    const double angle = psi * static_cast<double>((k + 1) / 2);
+    const std::size_t multiple = (k + 1) / 2;
+    const double angle = psi * static_cast<double>(multiple);
     sum += (k % 2 == 1 ? std::cos(angle) : std::sin(angle)) * parts[k];
   }
   return sum;

@@ -203,9 +203,9 @@ std::vector<PeriodicMode> list_modes(const Turn& turn, const PeriodicSystem& sys
   return modes;
 }
 
-/// Whether each mode's multiplier is near to one of the turn with half as many steps, from which
-/// the method's order takes an eighth of what it could: the long steps are long for it. Of
-/// multipliers that meet, as those of a rigid motion, half of the digits are known.
+/// Whether each mode's multiplier is known by one of the turn with half as many steps: halving is
+/// taken to gain a factor of 1000, an eighth of what the method's order promises for short steps.
+/// Of multipliers that meet, as those of a rigid motion, half of the digits are known.
 bool are_known(const std::vector<PeriodicMode>& modes, const Turn& turn, const Turn& rough) {
   constexpr double kGain = 1000.0, kTolerance = 1e-9, kMeet = 1e-3, kHalf = 1e-4;
   return std::all_of(modes.begin(), modes.end(), [&](const PeriodicMode& mode) {
@@ -233,8 +233,8 @@ double find_reach(const PeriodicSystem& system, Index count) {
 std::vector<PeriodicMode> find_modes_over_turn(const PeriodicSystem& system, Index count) {
   constexpr Index kMostSteps = 1 << 13, kGroup = 8;
   // Four steps for each round of the fastest, which the matrices and their products modulate.
-  const auto degree = static_cast<double>(system.K.parts.size() / 2);
-  const double reach = find_reach(system, count) + degree + 4.0;
+  const std::size_t degree = system.K.parts.size() / 2;
+  const double reach = find_reach(system, count) + static_cast<double>(degree) + 4.0;
   if (4.0 * reach > kMostSteps)
     throw InputError("the frame \"floquet\" would take more than " + std::to_string(kMostSteps) +
                      " steps over a turn for " + std::to_string(count) +

@@ -22,9 +22,9 @@ def modes(scenario, *, set=None, speed=None, count=None, frame="turning"):
     scenario, set, speed: as of equilibrium().
     count: how many, of each blade where blades do not couple, else of the whole model; None: 10, or
         as many as there are.
-    frame: from where vibrations are seen, "turning" with the hub; "fixed": from outside, of three or
-        more equal blades; "floquet": of any blades, whose modes then have harmonics. In these two
-        count is of the whole model.
+    frame: from where vibrations are seen, "turning" with the hub; "fixed": from outside, of three
+        or more equal blades; "floquet": of any blades, whose modes then have harmonics. In these
+        two count is of the whole model.
 
     Raises like equilibrium(), but for what nothing holds: that is a mode of frequency zero; and
     InputError if the frame is not for such a model.

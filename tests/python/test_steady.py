@@ -125,7 +125,7 @@ def test_a_flexible_blade_comes_to_its_motion_under_gravity_by_its_multiplier():
         **falling, "initial": {"state": "equilibrium"}, "output.interval": period,
         "integration.step": period / per_turn, "integration.duration": turns * period,
         "integration.spectral_radius": 1.0}).run()
-    # From turn to turn the distance from the periodic motion goes by a multiplier and its conjugate.
+    # Turn by turn the distance from the periodic motion goes by a multiplier and its conjugate.
     left = np.diff(np.stack([run["blade1.tip.x"], run["blade1.tip.y"]], 1), axis=0)[turns // 2:]
     before = np.stack([left[1:-1].ravel(), left[:-2].ravel()], 1)
     double_real, minus_square = np.linalg.lstsq(before, left[2:].ravel(), rcond=None)[0]
