@@ -58,7 +58,11 @@ void place_applied_forces(StepData<World>& data) {
   }
   const bool flies = data.flies && any_stiffened && any_forces;
   for (SubsystemData<World>& subsystem : data.subsystems) {
-    if (flies) subsystem.flight_acceleration = &data.flight_acceleration;
+    if (flies)
+      subsystem.flight_acceleration =
+          subsystem.rotor < 0
+              ? &data.flight_acceleration
+              : &data.rotors[static_cast<std::size_t>(subsystem.rotor)].flight_acceleration;
     const bool is_needed = any_body_feels(subsystem) || (flies && find_sources(subsystem));
     if (!is_needed || !subsystem.applied_forces.empty()) continue;
     subsystem.applied_forces = ArenaVector<PositionOf<World>>(
@@ -71,9 +75,18 @@ template <class World>
 void calc_flight_acceleration(const System<World>& system, double t,
                               StepData<World>& data) noexcept {
   PositionOf<World> sum = linear(calc_hub_load(system, t, data.hub));
-  for (const SubsystemData<World>& subsystem : data.subsystems)
-    if (!subsystem.applied_forces.empty()) sum += subsystem.applied_forces.back();
+  for (const SubsystemData<World>& subsystem : data.subsystems) {
+    if (subsystem.applied_forces.empty()) continue;
+    const PositionOf<World>& force = subsystem.applied_forces.back();
+    if (subsystem.rotor < 0)
+      sum += force;
+    else
+      sum += data.hub.R.inverse() * PositionOf<World>(subsystem.hub->R * force);
+  }
   data.flight_acceleration = sum / data.mass;
+  for (RotorData<World>& rotor : data.rotors)
+    rotor.flight_acceleration =
+        rotor.hub.R.inverse() * PositionOf<World>(data.hub.R * data.flight_acceleration);
 }
 
 template void place_applied_forces(StepData<Plane>&);

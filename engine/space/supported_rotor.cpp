@@ -36,7 +36,7 @@ void place_rotor(const System<Space>& system, std::size_t r, double t, bool is_i
   const space::Pose pose = calc_pose_in_hub(system.subsystems[i], support, model.body);
   rotor.hub = {base.p + base.R * pose.p, base.R * pose.R, support.twists[j]};
   rotor.turn = calc_turn(support.bodies[j]);
-  if (is_implicit)
+  if (is_implicit || model.is_moved)
     rotor.acceleration = calc_frame_acceleration(
         system.subsystems[i], support, calc_hub_acceleration(system, i, data, t), rotor.path);
 }

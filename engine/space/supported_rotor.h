@@ -12,7 +12,7 @@ namespace spoke {
 
 /// Sets the motion of a rotor's hub from the support's tree, whose rotations and twists must be
 /// set. `t` [s]; the hub's acceleration is that of the last iterate, and is set only in implicit
-/// passes, `is_implicit`.
+/// passes, `is_implicit`, and of hubs that move as prescribed.
 inline void place_rotor(const System<Plane>&, std::size_t, double, bool,
                         StepData<Plane>&) noexcept {}
 void place_rotor(const System<Space>& system, std::size_t rotor, double t, bool is_implicit,

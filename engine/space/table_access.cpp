@@ -68,6 +68,7 @@ space::Rotation resolve_load(spatial::LoadFrame frame, const space::Rotation& R_
 
 space::Position calc_tension_field(const System<Space>& system, double t,
                                    const SubsystemData<Space>& data) noexcept {
+  if (data.moved_acceleration) return -linear(*data.moved_acceleration);
   if (system.hub.support == HubSupport::free)
     return data.flight_acceleration ? space::Position(-*data.flight_acceleration)
                                     : space::Position::Zero();

@@ -24,7 +24,8 @@ space::Twist calc_load_wrench(const BodyLoad<Space>& load, std::size_t k, double
 space::JointState joint_state_of(const BodyData<Space>& body);
 
 /// Returns the field that the masses of a subsystem feel, in H [m/s^2], as calc_tension_field() of
-/// the plane does; on an axle whose mount moves, gravity less its acceleration.
+/// the plane does; on an axle whose mount moves, gravity less its acceleration, and on a support
+/// that moves as prescribed less that of the hub.
 space::Position calc_tension_field(const System<Space>& system, double t,
                                    const SubsystemData<Space>& data) noexcept;
 

@@ -142,7 +142,7 @@ void add_applied(double t, const space::Rotation& R_HB, std::size_t j, Subsystem
 }
 
 bool has_working_field(const System<Space>& system, const SubsystemData<Space>& data) {
-  return system.hub.mount || data.flight_acceleration;
+  return system.hub.mount || data.flight_acceleration || data.moved_acceleration;
 }
 
 /// Returns the field that tension feels without gravity of constant size, whose work is a function

@@ -99,7 +99,7 @@ void add_rotor_motion(const Assembly<World>& g, int r) {
   PartList inputs = support.all(&BodyParts::coordinates);
   const bool is_implicit = std::holds_alternative<GeneralizedAlpha>(c.integrator.method);
   for (const PartId part : support.all(&BodyParts::accelerations)) inputs.push_back(part);
-  if (is_implicit) inputs.push_back(g.parts.hub_coordinates);
+  if (is_implicit || c.system.rotors[index].is_moved) inputs.push_back(g.parts.hub_coordinates);
   StepProgress& progress = c.data.progress[0];
   g.builder.add_node(
       g.label(stages::kHubMotion),
@@ -284,6 +284,7 @@ void add_flight_acceleration(const Assembly<World>& g) {
     is_needed |= data.flight_acceleration != nullptr;
     if (!data.applied_forces.empty()) inputs.push_back(g.parts.subsystems[i].applied_forces);
   }
+  for (const RotorParts& rotor : g.parts.rotors) inputs.push_back(rotor.hub);
   if (!is_needed) return;
   g.builder.add_node(g.label(stages::kFlightAcceleration), reads(inputs),
                      writes(g.parts.flight_acceleration),

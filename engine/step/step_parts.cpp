@@ -244,8 +244,10 @@ void add_time_parts(SystemContext<World>& context, StepGraphBuilder& builder, St
     parts.progress = builder.add_part("progress", {bytes_of(data.progress[0])});
     parts.hub_state = builder.add_part("hub state", {bytes_of(data.hub)});
     parts.hub_solution = builder.add_part("hub solution", {bytes_of(data.hub_solution)});
-    parts.flight_acceleration =
-        builder.add_part("flight acceleration", {bytes_of(data.flight_acceleration)});
+    Memory flight{bytes_of(data.flight_acceleration)};
+    for (RotorData<World>& rotor : data.rotors)
+      flight.push_back(bytes_of(rotor.flight_acceleration));
+    parts.flight_acceleration = builder.add_part("flight acceleration", flight);
   }
   add_rotor_parts(data, builder, parts);
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {

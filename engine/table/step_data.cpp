@@ -168,6 +168,7 @@ void follow_rotors(const System<Space>& system, StepData<Space>& data) {
       data.subsystems[i].rotor = static_cast<int>(r);
       data.subsystems[i].hub = &made.hub;
       data.subsystems[i].hub_acceleration = &hub.X;
+      if (rotor.is_moved) data.subsystems[i].moved_acceleration = &made.acceleration;
     }
   }
 }

@@ -38,11 +38,14 @@ struct HubState {
 template <class World>
 struct RotorData {
   HubState<World> hub;
-  /// Acceleration of the hub by the last iterate, hub frame, less gravity; in implicit passes.
+  /// Acceleration of the hub by the last iterate, hub frame, less gravity; in implicit passes, and
+  /// if the hub's origin moves as prescribed.
   TwistOf<World> acceleration = TwistOf<World>::Zero();
   DriveMotion turn;  ///< about the axle; its acceleration by the last iterate, if it is free
   typename BodyTypes<World>::CarriedInertia carried;
   std::vector<int> path{};  ///< bodies of the support from its base to the hub
+  /// StepData::flight_acceleration in the frame of this hub.
+  PositionOf<World> flight_acceleration = PositionOf<World>::Zero();
 };
 
 /// Hub motion that support and drive prescribe.
@@ -137,6 +140,8 @@ struct alignas(kInterferenceSize) SubsystemData {
   const PositionOf<World>* flight_acceleration = nullptr;
 
   int rotor = -1;  ///< rotor on a support whose hub carries it; -1: none
+  /// RotorData::acceleration of a rotor whose hub moves as prescribed; else null.
+  const TwistOf<World>* moved_acceleration = nullptr;
   // Progress and hub that the subsystem's nodes follow: the system's if it is coupled, else its
   // own.
   StepProgress* progress = nullptr;

@@ -106,17 +106,73 @@ void require_azimuth(const System<Space>& system) {
   }
 }
 
-/// Returns the mass of a rotor, hub and blades, and its mean first moment over a turn, in the frame
-/// of its hub on a support; `trees`: those on it.
+/// Whether a support is rigid and flies, and the hub with it: its hub moves as a free one does.
+bool is_one_with_fuselage(const spatial::Model& model, const std::vector<spatial::Tree>& trees) {
+  if (!model.support || model.support->from == spatial::SupportBase::ground ||
+      !std::holds_alternative<FixedDrive>(model.hub.drive))
+    return false;
+  const std::vector<spatial::TreeBody>& bodies = trees.back().bodies;
+  for (int j = bodies.back().parent; j >= 0; j = bodies[static_cast<std::size_t>(j)].parent) {
+    const spatial::TreeBody& body = bodies[static_cast<std::size_t>(j)];
+    if (!std::holds_alternative<spatial::RigidBody>(body.shape) ||
+        body.joint.kind != spatial::JointKind::fixed)
+      return false;
+  }
+  return true;
+}
+
+/// Returns the mass of a rotor, hub and blades, and its first moment, in the frame of its hub on a
+/// support; `trees`: those on it. Of a rotor that turns it is the mean over a turn.
 spatial::MassProperties calc_rotor_mass(const spatial::Hub& hub,
-                                        std::span<const spatial::Tree> trees) {
+                                        std::span<const spatial::Tree> trees, bool turns) {
   spatial::MassProperties rotor = spatial::make_mass_properties(hub.mass, hub.center, hub.inertia);
   for (const spatial::Tree& tree : trees) rotor += calc_mass_properties(tree);
   const space::Rotation to_axis = axis_rotation(hub).inverse();
   rotor.first_moment = to_axis * space::Position(rotor.first_moment);
-  rotor.first_moment.head<2>().setZero();
+  if (turns) rotor.first_moment.head<2>().setZero();
   rotor.inertia.setZero();
   return rotor;
+}
+
+/// The mass centre of a machine that flies, undeformed and with joint coordinates zero: from its
+/// base, and from its hub in H [m].
+struct MachineCentre {
+  space::Position from_base = space::Position::Zero(), from_hub = space::Position::Zero();
+};
+MachineCentre find_machine_centre(const spatial::Model& model,
+                                  const std::vector<spatial::Tree>& trees, bool turns) {
+  if (!model.support || model.support->from == spatial::SupportBase::ground) return {};
+  const spatial::Tree& support = trees.back();
+  const std::vector<spatial::Placement> placements = calc_placements(support);
+  const spatial::Placement& hub = placements.back();
+  const space::Rotation R{hub.rotation};
+  const spatial::MassProperties rotor =
+      calc_rotor_mass(model.hub, {trees.data(), trees.size() - 1}, turns);
+  const spatial::Fuselage& fuselage = model.support->fuselage;
+  double mass = fuselage.mass + rotor.mass;
+  space::Position moment = fuselage.mass * space::Position(fuselage.center) +
+                           rotor.mass * space::Position(hub.position) +
+                           R * space::Position(rotor.first_moment);
+  for (std::size_t j = 0; j + 1 < support.bodies.size(); ++j) {
+    const spatial::MassProperties body =
+        calc_mass_properties(support, support.bodies[j]).seen_from_outside(placements[j]);
+    mass += body.mass;
+    moment += space::Position(body.first_moment);
+  }
+  const space::Position centre = moment / mass;
+  return {centre, R.inverse() * space::Position(centre - space::Position(hub.position))};
+}
+
+/// Whether all that carries the axle of a rotor moves as prescribed.
+bool is_moved(const System<Space>& system, const SupportedRotor& rotor) {
+  if (system.hub.support == HubSupport::free) return false;
+  std::vector<int> path = find_path(system, rotor);
+  path.pop_back();  // the hub, whose origin is on the axle
+  const auto& bodies = system.subsystems[static_cast<std::size_t>(rotor.subsystem)].bodies;
+  return std::all_of(path.begin(), path.end(), [&bodies](int j) {
+    const TreeBody<Space>& body = bodies[static_cast<std::size_t>(j)];
+    return body.body->rigid() && body.joint.joint.coordinates == 0;
+  });
 }
 
 /// Turns the loads on a hub to loads on the body that is the hub of a support.
@@ -137,18 +193,22 @@ void move_hub_loads(const spatial::Model& model, const space::Rotation& to_axis,
 
 /// Makes the support, the last of the trees, and puts the rotor on it.
 void add_support(const spatial::Model& model, const std::vector<spatial::Tree>& trees,
-                 SharedBodies& bodies, System<Space>& system) {
+                 const space::Position& centre, SharedBodies& bodies, System<Space>& system) {
   const std::span rotor(trees.data(), trees.size() - 1);
   const spatial::Tree& tree = trees.back();
   assert(tree.bodies.back().is_hub);
   system.hub = make_base(*model.support, model.hub);
-  system.subsystems.push_back(
-      make_subsystem(tree, {.rotor = calc_rotor_mass(model.hub, rotor), .drive = model.hub.drive},
-                     make_body_loads(model, tree, trees.size() - 1), bodies));
+  system.subsystems.push_back(make_subsystem(tree,
+                                             {.centre = centre,
+                                              .rotor = calc_rotor_mass(model.hub, rotor, true),
+                                              .drive = model.hub.drive},
+                                             make_body_loads(model, tree, trees.size() - 1),
+                                             bodies));
   std::vector<TreeBody<Space>>& support = system.subsystems.back().bodies;
   move_hub_loads(model, axis_rotation(model.hub).inverse(), support.back());
   system.rotors.push_back(
       {static_cast<int>(trees.size()) - 1, static_cast<int>(support.size()) - 1});
+  system.rotors.back().is_moved = is_moved(system, system.rotors.back());
 }
 
 }  // namespace
@@ -171,13 +231,16 @@ System<Space> make_system(const spatial::Model& model, const std::vector<spatial
       system.hub_loads.push_back(make_hub_load(load, to_axis));
   space::Position centre = space::Position::Zero();
   if (model.hub.support == HubSupport::free) centre = find_mass_centre(model.hub, trees, to_axis);
+  const bool is_fuselage = is_one_with_fuselage(model, trees);
+  const MachineCentre machine = find_machine_centre(model, trees, !is_fuselage);
+  if (is_fuselage) centre = machine.from_hub;
   SharedBodies bodies(model.damping, control);
   for (std::size_t i = 0; i < on_hub; ++i) {
     system.subsystems.push_back(make_subsystem(trees[i], {.to_axis = to_axis, .centre = centre},
                                                make_body_loads(model, trees[i], i), bodies));
     if (model.support) system.subsystems.back().rotor = 0;
   }
-  if (model.support) add_support(model, trees, bodies, system);
+  if (model.support) add_support(model, trees, machine.from_base, bodies, system);
   for (const Anchor& anchor : model.anchors) {
     // What a support stands on has the axes of the description.
     const bool is_of_base = model.support && anchor.frame == Anchor::Frame::mount;

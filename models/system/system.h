@@ -37,6 +37,9 @@ struct TreeBody {
 struct SupportedRotor {
   int subsystem = 0;  ///< index of the support's tree
   int body = 0;       ///< index of the hub in it; the drive is in the joint that carries it
+  /// Whether all that carries the axle moves as prescribed, so that the hub's acceleration is known
+  /// in advance.
+  bool is_moved = false;
 };
 
 /// A subsystem: a tree of bodies on a hub, parents first; in the plane a chain, root to tip.
