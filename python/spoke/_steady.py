@@ -16,7 +16,7 @@ def equilibrium(scenario, *, set=None, speed=None):
     return _spoke._solve_equilibrium(read_scenario(scenario, set), speed)
 
 
-def modes(scenario, *, set=None, speed=None, count=None, frame="turning"):
+def modes(scenario, *, set=None, speed=None, count=None, frame=None):
     """Finds the lowest Modes of a model about its equilibrium.
 
     scenario, set, speed: as of equilibrium().
@@ -33,7 +33,7 @@ def modes(scenario, *, set=None, speed=None, count=None, frame="turning"):
 
 
 def campbell(scenario, speeds, *, set=None, count=None, harmonics=6, threads=None,
-             frame="turning"):
+             frame=None):
     """Follows modes over speeds of rotation: a Campbell diagram.
 
     scenario, set: as of read_scenario().
