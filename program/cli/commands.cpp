@@ -175,6 +175,8 @@ std::vector<Command> make_commands() {
        .add_options = add_linearize,
        .execute = linearize},
       {.name = "study", .summary = kStudySummary},
+      {.name = "import", .summary = kImportSummary},
+      {.name = "export", .summary = kExportSummary},
       {.name = "compare", .summary = kCompareSummary},
       {.name = "predict", .summary = kPredictSummary},
       {.name = "trace",

@@ -5,6 +5,8 @@
 namespace spoke::cli {
 
 const char* const kStudySummary = "Run a scenario many times, with other values";
+const char* const kImportSummary = "Make a scenario of blade and tower files of other programs";
+const char* const kExportSummary = "Write a blade of a scenario as files of another program";
 const char* const kCompareSummary = "Measure which executor and number of threads is fastest here";
 const char* const kPredictSummary = "Predict how fast a step is on more threads than there are";
 const char* const kReproduceSummary = "Repeat the paper's evaluation on this machine";

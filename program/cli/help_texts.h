@@ -22,6 +22,8 @@ extern const char* const kProgramText;
 
 // Summaries of the commands that are programs of their own, for `spoke --help` and for theirs.
 extern const char* const kStudySummary;
+extern const char* const kImportSummary;
+extern const char* const kExportSummary;
 extern const char* const kCompareSummary;
 extern const char* const kPredictSummary;
 extern const char* const kReproduceSummary;

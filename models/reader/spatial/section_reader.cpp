@@ -18,15 +18,6 @@ struct BeamDynAxis {
 };
 constexpr BeamDynAxis kBeamDyn[6] = {{2, 1.0}, {1, -1.0}, {0, 1.0}, {5, 1.0}, {4, -1.0}, {3, 1.0}};
 
-SectionMatrix from_beamdyn(const SectionMatrix& theirs) {
-  SectionMatrix ours;
-  for (int r = 0; r < 6; ++r)
-    for (int c = 0; c < 6; ++c)
-      ours(r, c) =
-          kBeamDyn[r].sign * kBeamDyn[c].sign * theirs(kBeamDyn[r].index, kBeamDyn[c].index);
-  return ours;
-}
-
 /// Makes a matrix from all entries row by row, or from those of its upper triangle.
 SectionMatrix to_matrix(const std::vector<double>& entries) {
   if (entries.size() == 36)
@@ -67,7 +58,7 @@ class SectionReader {
                             section_.choice("matrix_convention", {"spoke", "beamdyn"}) == 1;
     for (const std::vector<double>& row :
          section_.rows(key, Quantity::any("SI"), all, upper_triangle))
-      values.push_back(is_beamdyn ? from_beamdyn(to_matrix(row)) : to_matrix(row));
+      values.push_back(is_beamdyn ? swap_beamdyn_axes(to_matrix(row)) : to_matrix(row));
   }
 
  private:
@@ -100,6 +91,15 @@ TomlSection::Keys section_keys() {
 }
 
 }  // namespace
+
+SectionMatrix swap_beamdyn_axes(const SectionMatrix& matrix) {
+  SectionMatrix swapped;
+  for (int r = 0; r < 6; ++r)
+    for (int c = 0; c < 6; ++c)
+      swapped(r, c) =
+          kBeamDyn[r].sign * kBeamDyn[c].sign * matrix(kBeamDyn[r].index, kBeamDyn[c].index);
+  return swapped;
+}
 
 TomlSection::Keys beam_keys() {
   return {"length",    "bodies", "elements", "sections", "reference_frame", "geometric_stiffening",

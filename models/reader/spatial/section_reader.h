@@ -10,6 +10,10 @@ namespace spoke::spatial {
 /// Returns the keys of a table that describes a beam.
 TomlSection::Keys beam_keys();
 
+/// Returns a matrix of a section in Spoke's axes from the one in BeamDyn's axes, and the other way
+/// round.
+SectionMatrix swap_beamdyn_axes(const SectionMatrix& matrix);
+
 /// Reads the table "sections" of a beam's table; the beam has its length.
 Sections read_sections(const TomlSection& beam, double length);
 

@@ -1,0 +1,73 @@
+#pragma once
+
+// What files of other programs say of a beam and of the turbine around it, in Spoke's terms, each
+// with where it came from.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "models/spatial_model.h"
+
+namespace spoke::foreign {
+
+using spatial::SectionMatrix;
+
+/// The most stations that a table may have.
+inline constexpr int kMostStations = 100000;
+
+/// A number and where it came from: "HubRad, turbine.dat:46".
+struct Value {
+  double number = 0.0;
+  std::string from;
+};
+
+/// A beam by its stations. Arrays have a value for each station, or are empty.
+struct BeamTable {
+  Value length;                           ///< [m]
+  std::vector<double> station;            ///< [m]
+  std::vector<std::string> station_from;  ///< "section 3, blade.dat:40"
+  std::vector<double> sweep, prebend;     ///< [m]
+  std::vector<double> twist;              ///< about +x [rad]
+  // Either matrices in BeamDyn's axes ...
+  std::vector<SectionMatrix> stiffness, mass;
+  // ... or these, as of spatial::Sections.
+  std::vector<double> mass_per_length, axial_stiffness, flap_stiffness, lag_stiffness,
+      torsion_stiffness, flap_inertia, lag_inertia;
+  Value tip_mass;                    ///< at the outer end [kg]; 0: none
+  std::vector<std::string> remarks;  ///< how its numbers were made, a sentence each
+};
+
+/// What damps beams: either is empty.
+struct FoundDamping {
+  std::vector<double> mu;      ///< BeamDyn's six factors of the stiffness [s]
+  std::vector<double> ratios;  ///< of the lowest modes
+  std::string from;
+};
+
+/// What stands between the tower and the rotor.
+struct Nacelle {
+  Value mass;                             ///< [kg], > 0
+  Eigen::Vector3d center{0.0, 0.0, 0.0};  ///< from the tower's top, x downwind, z up [m]
+  Value inertia;                          ///< about its centre, every axis [kg m^2], > 0
+  Eigen::Vector3d hub{0.0, 0.0, 0.0};     ///< the hub's place, likewise [m]
+  double tilt = 0.0;                      ///< rotation of the shaft about +y [rad]
+  std::string center_from, hub_from, tilt_from;
+};
+
+/// All that was found. What is left out has the scenario's default, or what the writer says.
+struct FoundModel {
+  std::string title;
+  std::vector<std::string> sources;  ///< "blade.dat: BeamDyn, blade file: TITLE"
+  std::optional<BeamTable> blade, tower;
+  Value blade_count{1.0, {}}, hub_radius, precone;  ///< -, m, rad towards downwind
+  Value hub_mass, hub_inertia;                      ///< kg, kg m^2 about the axis
+  double hub_center = 0.0;                          ///< downwind of the hub's origin [m]
+  Value speed;                                      ///< of the rotor [rad/s]
+  bool has_rotor = false;                           ///< whether the axis is horizontal
+  std::optional<Nacelle> nacelle;
+  FoundDamping damping;
+  std::vector<std::string> left_out;  ///< what could not be carried over, a sentence each
+};
+
+}  // namespace spoke::foreign

@@ -1,0 +1,221 @@
+// Kinds of files, what names what, and the scenario of all of them.
+
+#include "program/foreign/import_files.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <filesystem>
+
+#include "models/error.h"
+#include "models/solid/mesh_text.h"
+#include "program/foreign/elastodyn_reader.h"
+#include "program/foreign/input_lines.h"
+#include "program/foreign/scenario_writer.h"
+#include "program/foreign/windio_reader.h"
+
+namespace spoke::foreign {
+namespace {
+
+enum Kind {
+  beamdyn_primary,
+  beamdyn_blade,
+  elastodyn_primary,
+  elastodyn_blade,
+  elastodyn_tower,
+  windio,
+  kind_count
+};
+
+constexpr const char* kKindNames[kind_count] = {"BeamDyn, primary file",   "BeamDyn, blade file",
+                                                "ElastoDyn, primary file", "ElastoDyn, blade file",
+                                                "ElastoDyn, tower file",   "WindIO"};
+
+std::string in_capitals(std::string_view text) {
+  std::string capitals(text);
+  std::transform(capitals.begin(), capitals.end(), capitals.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return capitals;
+}
+
+Kind find_kind(const SourceFile& source) {
+  const std::string ending = in_capitals(std::filesystem::path(source.name).extension().string());
+  if (ending == ".YAML" || ending == ".YML") return windio;
+  const std::string_view line = std::string_view(source.text).substr(0, source.text.find('\n'));
+  const std::string first = in_capitals(line);
+  const auto says = [&](const char* word) { return first.find(word) != std::string::npos; };
+  if (says("BEAMDYN")) return says("BLADE") ? beamdyn_blade : beamdyn_primary;
+  if (says("ELASTODYN"))
+    return says("BLADE") ? elastodyn_blade : says("TOWER") ? elastodyn_tower : elastodyn_primary;
+  refuse(source.name, 1,
+         "found " + solid::show_text(solid::trim(line)) +
+             ", expected the first line of a file of OpenFAST that names BEAMDYN or ELASTODYN, and "
+             "INDIVIDUAL BLADE or TOWER unless it is a primary one; or a file .yaml");
+}
+
+/// The files by kind, those that others name as well.
+class FoundFiles {
+ public:
+  FoundFiles(const std::vector<SourceFile>& files, const ReadFile& read) : read_(read) {
+    for (const SourceFile& file : files) {
+      const Kind kind = find_kind(file);
+      if (files_[kind])
+        refuse(file.name, 1,
+               std::string("is a second file of the kind \"") + kKindNames[kind] +
+                   "\", expected one; the first is " + files_[kind]->name);
+      files_[kind] = file;
+    }
+  }
+
+  bool has(Kind kind) const { return files_[kind].has_value(); }
+  const SourceFile& get(Kind kind) const { return *files_[kind]; }
+
+  /// Reads a file that another one names, unless one of its kind is there.
+  void add_named(Kind kind, Kind by, const std::string& name, int line) {
+    if (has(kind)) return;
+    namespace fs = std::filesystem;
+    const SourceFile& source = get(by);
+    if (name.empty())
+      refuse(source.name, line,
+             "names no file, expected one of the kind \"" + std::string(kKindNames[kind]) + '"');
+    const std::string path = (fs::path(source.name).parent_path() / name).lexically_normal();
+    SourceFile named{path, {}};
+    try {
+      named.text = read_(path);
+    } catch (const InputError& error) {
+      refuse(source.name, line, "names a file that cannot be read: " + std::string(error.what()));
+    }
+    if (const Kind is = find_kind(named); is != kind)
+      refuse(path, 1,
+             std::string("is of the kind \"") + kKindNames[is] + "\", expected \"" +
+                 kKindNames[kind] + "\", as which " + place(source.name, line) + " names it");
+    files_[kind] = named;
+  }
+
+ private:
+  std::array<std::optional<SourceFile>, kind_count> files_;
+  const ReadFile& read_;
+};
+
+void note_source(const SourceFile& source, Kind kind, FoundModel& model) {
+  model.sources.push_back(source.name + ": " + kKindNames[kind]);
+}
+
+void read_beamdyn(FoundFiles& files, FoundModel& model) {
+  const SourceFile& source = files.get(beamdyn_primary);
+  const BeamDynPrimary primary = read_beamdyn_primary(source);
+  files.add_named(beamdyn_blade, beamdyn_primary, primary.blade_file, primary.blade_file_line);
+  const SourceFile& blade_source = files.get(beamdyn_blade);
+  const BeamDynBlade blade = read_beamdyn_blade(blade_source);
+  const BladeAxis axis(primary.points);
+  BeamTable beam = merge_stations(axis, blade.sections);
+  beam.length = {primary.points.back().x, "kp_zr of " + primary.points.back().from};
+  beam.remarks.emplace_back(
+      "Stations are those of the key points, kp_zr, and of the sections, eta of which is a share "
+      "of "
+      "the arc length of the axis; sweep is -kp_yr, prebend kp_xr, twist -initial_twist in rad.");
+  if (blade.asymmetry > 1e-6)
+    beam.remarks.emplace_back("Matrices were made symmetric; entries differed by up to " +
+                              std::to_string(100.0 * blade.asymmetry) + " % of their diagonal.");
+  model.blade = std::move(beam);
+  model.damping = {blade.mu, {}, blade.mu_from};
+  if (model.title.empty()) model.title = primary.title;
+  note_source(source, beamdyn_primary, model);
+  note_source(blade_source, beamdyn_blade, model);
+  model.left_out.push_back(source.name +
+                           ": BeamDyn's method, its mesh and quadrature, the pitch "
+                           "actuator and outputs");
+  if (primary.members > 1)
+    model.left_out.push_back(source.name +
+                             ": ends of members, at which BeamDyn's axis may have a "
+                             "kink; the scenario's is one spline");
+}
+
+/// Reads a blade of ElastoDyn, or a tower, whose length is that of a primary file or an option.
+template <class Read>
+void read_by_length(const FoundFiles& files, Kind kind, const Value& found,
+                    const std::optional<double>& given, const char* option, FoundModel& model,
+                    const Read& read) {
+  const SourceFile& source = files.get(kind);
+  Value length = found;
+  if (given) length = {*given, option};
+  if (!(length.number > 0.0))
+    refuse(source.name, 1,
+           std::string("does not say how long it is, expected ") + option +
+               " METERS or ElastoDyn's primary file besides");
+  read(source, length, model);
+  note_source(source, kind, model);
+}
+
+void read_elastodyn(FoundFiles& files, const ImportOptions& options, FoundModel& model) {
+  ElastoDynPrimary primary;
+  if (files.has(elastodyn_primary)) {
+    const SourceFile& source = files.get(elastodyn_primary);
+    primary = read_elastodyn_primary(source, model);
+    note_source(source, elastodyn_primary, model);
+    if (!model.blade)
+      files.add_named(elastodyn_blade, elastodyn_primary, primary.blade.name, primary.blade.line);
+    files.add_named(elastodyn_tower, elastodyn_primary, primary.tower.name, primary.tower.line);
+  }
+  if (files.has(elastodyn_blade))
+    read_by_length(files, elastodyn_blade, primary.blade_length, options.blade_length, "--length",
+                   model, read_elastodyn_blade);
+  if (model.blade) model.blade->tip_mass = primary.tip_mass;
+  if (!files.has(elastodyn_tower)) return;
+  read_by_length(files, elastodyn_tower, primary.tower_height, options.tower_height, "--height",
+                 model, read_elastodyn_tower);
+  model.tower->tip_mass = primary.yaw_bearing_mass;
+}
+
+/// Refuses files that would go unused, or say the same twice.
+void check_use(const FoundFiles& files) {
+  if (files.has(beamdyn_blade) && !files.has(beamdyn_primary))
+    refuse(files.get(beamdyn_blade).name, 1,
+           "has no key points, expected BeamDyn's primary file besides");
+  const std::array<Kind, 3> blades{beamdyn_primary, elastodyn_blade, windio};
+  const SourceFile* first = nullptr;
+  for (const Kind kind : blades) {
+    if (!files.has(kind)) continue;
+    if (first)
+      refuse(files.get(kind).name, 1,
+             "is a second description of a blade, expected one; the first "
+             "is " +
+                 first->name);
+    first = &files.get(kind);
+  }
+  for (const Kind kind : {elastodyn_primary, elastodyn_tower})
+    if (files.has(windio) && files.has(kind))
+      refuse(files.get(kind).name, 1,
+             "given along with " + files.get(windio).name + ", expected an ontology by itself");
+}
+
+Scenario check_scenario(const std::string& text, const std::string& file) {
+  try {
+    return parse_scenario(text, "scenario");
+  } catch (const InputError& error) {
+    refuse(file, 0, "makes a scenario that is refused: " + std::string(error.what()));
+  }
+}
+
+}  // namespace
+
+Imported import_files(const std::vector<SourceFile>& files, const ReadFile& read,
+                      const ImportOptions& options) {
+  FoundFiles found(files, read);
+  check_use(found);
+  FoundModel model;
+  if (found.has(beamdyn_primary)) read_beamdyn(found, model);
+  if (found.has(windio)) {
+    read_windio(found.get(windio), model);
+    note_source(found.get(windio), windio, model);
+  }
+  read_elastodyn(found, options, model);
+  Imported imported;
+  imported.text = write_scenario(model);
+  imported.scenario = check_scenario(imported.text, files.front().name);
+  imported.sources = model.sources;
+  imported.left_out = model.left_out;
+  return imported;
+}
+
+}  // namespace spoke::foreign

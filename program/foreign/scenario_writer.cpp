@@ -1,0 +1,237 @@
+// Tables in the order of docs/scenario.md. Numbers are written so that reading them gives the same
+// bits.
+
+#include "program/foreign/scenario_writer.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "program/foreign/input_lines.h"
+
+namespace spoke::foreign {
+namespace {
+
+/// Returns the shortest digits that give the same number. What scenarios refuse as too small is 0.
+std::string digits(double number) {
+  constexpr double least = 1e-40;
+  return std::abs(number) < least ? "0" : fmt::format("{}", number);
+}
+
+std::string digits(const std::vector<double>& numbers) {
+  std::string text;
+  for (const double number : numbers) text += (text.empty() ? "" : ", ") + digits(number);
+  return '[' + text + ']';
+}
+
+std::string digits(const Eigen::Vector3d& v) {
+  return digits(std::vector<double>{v.x(), v.y(), v.z()});
+}
+
+std::string quoted(const std::string& text) {
+  std::string all;
+  for (const char c : printable(text)) {
+    if (c == '"' || c == '\\') all += '\\';
+    all += c;
+  }
+  return '"' + all + '"';
+}
+
+/// A TOML text that grows.
+class Toml {
+ public:
+  void comment(const std::string& text) { text_ += "# " + printable(text) + '\n'; }
+  void table(const std::string& head) { text_ += '\n' + head + '\n'; }
+  void key(const std::string& name, const std::string& value, const std::string& from = {}) {
+    text_ += name + " = " + value;
+    if (!from.empty()) text_ += "   # " + printable(from);
+    text_ += '\n';
+  }
+  /// An array, a value in a line of its own.
+  void lines(const std::string& name, const std::vector<std::string>& values,
+             const std::vector<std::string>& comments) {
+    text_ += name + " = [\n";
+    for (std::size_t i = 0; i < values.size(); ++i)
+      text_ += "  " + values[i] + ",   # " + printable(comments[i]) + '\n';
+    text_ += "]\n";
+  }
+  void numbers(const std::string& name, const std::vector<double>& values) {
+    if (!values.empty()) text_ += name + " = " + digits(values) + '\n';
+  }
+  std::string take() { return std::move(text_); }
+
+ private:
+  std::string text_;
+};
+
+/// Returns the upper triangle row by row, as scenarios take it.
+std::string triangle(const SectionMatrix& matrix) {
+  std::vector<double> entries;
+  for (int r = 0; r < 6; ++r)
+    for (int c = r; c < 6; ++c) entries.push_back(matrix(r, c));
+  return digits(entries);
+}
+
+void write_matrices(const std::string& key, const std::vector<SectionMatrix>& matrices,
+                    const std::vector<std::string>& from, Toml& toml) {
+  if (matrices.empty()) return;
+  std::vector<std::string> rows;
+  for (const SectionMatrix& matrix : matrices) rows.push_back(triangle(matrix));
+  toml.lines(key, rows, from);
+}
+
+bool is_zero(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double value) { return value == 0.0; });
+}
+
+void write_sections(const BeamTable& beam, Toml& toml) {
+  std::vector<std::string> stations;
+  for (const double x : beam.station) stations.push_back(digits(x));
+  for (const std::string& remark : beam.remarks) toml.comment(remark);
+  toml.lines("station", stations, beam.station_from);
+  if (!is_zero(beam.sweep)) toml.numbers("sweep", beam.sweep);
+  if (!is_zero(beam.prebend)) toml.numbers("prebend", beam.prebend);
+  if (!is_zero(beam.twist)) toml.numbers("twist", beam.twist);
+  toml.numbers("mass_per_length", beam.mass_per_length);
+  toml.numbers("axial_stiffness", beam.axial_stiffness);
+  toml.numbers("flap_stiffness", beam.flap_stiffness);
+  toml.numbers("lag_stiffness", beam.lag_stiffness);
+  toml.numbers("torsion_stiffness", beam.torsion_stiffness);
+  toml.numbers("flap_inertia", beam.flap_inertia);
+  toml.numbers("lag_inertia", beam.lag_inertia);
+  if (beam.stiffness.empty()) return;
+  toml.comment(
+      "The axes of the files: x flapwise, y edgewise, z along the blade. Upper triangles.");
+  toml.key("matrix_convention", "\"beamdyn\"");
+  write_matrices("stiffness_6x6", beam.stiffness, beam.station_from, toml);
+  write_matrices("mass_6x6", beam.mass, beam.station_from, toml);
+}
+
+void write_tip_mass(const BeamTable& beam, const std::string& head, Toml& toml) {
+  if (!(beam.tip_mass.number > 0.0)) return;
+  toml.table(head);
+  toml.key("position", digits(beam.length.number));
+  toml.key("mass", digits(beam.tip_mass.number), beam.tip_mass.from);
+}
+
+void write_blade(const FoundModel& model, Toml& toml) {
+  const BeamTable& blade = *model.blade;
+  toml.table("[blade]");
+  toml.key("count", digits(model.blade_count.number),
+           model.blade_count.from.empty() ? "the files are of one blade" : model.blade_count.from);
+  toml.key("length", digits(blade.length.number), blade.length.from);
+  toml.key("bodies", "10", "not in the files");
+  toml.key("elements", "4", "not in the files");
+  if (model.precone.number != 0.0)
+    toml.key("precone", digits(model.precone.number),
+             model.precone.from + ", in rad towards downwind");
+  toml.table("[blade.sections]");
+  write_sections(blade, toml);
+  write_tip_mass(blade, "[[blade.point_mass]]", toml);
+}
+
+void write_hub(const FoundModel& model, Toml& toml) {
+  toml.table("[hub]");
+  toml.key("support", "\"axle\"", "not in the files");
+  if (model.has_rotor) toml.key("axis", "[1, 0, 0]", "downwind");
+  if (!model.hub_radius.from.empty())
+    toml.key("radius", digits(model.hub_radius.number), model.hub_radius.from);
+  const bool carries = model.tower.has_value();
+  if (model.hub_mass.number > 0.0)
+    toml.key("mass", digits(model.hub_mass.number), model.hub_mass.from);
+  else if (carries)
+    toml.key("mass", "1", "not in the files: next to nothing; put rotor and nacelle here");
+  if (model.hub_center != 0.0)
+    toml.key("center", digits(Eigen::Vector3d(model.hub_center, 0.0, 0.0)), "HubCM");
+  if (const double inertia = model.hub_inertia.number; inertia > 0.0)
+    toml.key("inertia", digits(Eigen::Vector3d(inertia, 0.5 * inertia, 0.5 * inertia)),
+             model.hub_inertia.from);
+  toml.table("[hub.drive]");
+  if (model.speed.number != 0.0) {
+    toml.key("kind", "\"constant\"");
+    toml.key("speed", digits(model.speed.number), model.speed.from + ", in rad/s");
+  } else {
+    toml.key("kind", "\"fixed\"", model.speed.from.empty() ? "not in the files" : model.speed.from);
+  }
+}
+
+void write_nacelle(const Nacelle& nacelle, Toml& toml) {
+  toml.table("[[support.body]]");
+  toml.key("name", "\"nacelle\"");
+  toml.key("kind", "\"rigid\"");
+  toml.key("mass", digits(nacelle.mass.number), nacelle.mass.from);
+  toml.key("center", digits(nacelle.center), nacelle.center_from);
+  toml.key("inertia", digits(nacelle.inertia.number), nacelle.inertia.from);
+}
+
+void write_support(const FoundModel& model, Toml& toml) {
+  const BeamTable& tower = *model.tower;
+  const std::string turn = digits(Eigen::Vector3d(0.0, 0.5 * std::numbers::pi, 0.0));
+  toml.table("[support]");
+  toml.key("from", "\"ground\"", "at the base of the tower; x downwind, z up");
+  toml.table("[[support.body]]");
+  toml.key("name", "\"tower\"");
+  toml.key("kind", "\"beam\"");
+  toml.key("length", digits(tower.length.number), tower.length.from);
+  toml.key("bodies", "2", "not in the files");
+  toml.key("elements", "6", "not in the files");
+  toml.table("[support.body.sections]");
+  write_sections(tower, toml);
+  write_tip_mass(tower, "[[support.body.point_mass]]", toml);
+  if (model.nacelle) write_nacelle(*model.nacelle, toml);
+  toml.table("[[support.joint]]");
+  toml.key("child", "\"tower\"");
+  toml.key("kind", "\"fixed\"");
+  toml.key("orientation", digits(Eigen::Vector3d(0.0, -0.5 * std::numbers::pi, 0.0)),
+           "x of the beam is up");
+  if (model.nacelle) {
+    toml.table("[[support.joint]]");
+    toml.key("parent", "\"tower\"");
+    toml.key("child", "\"nacelle\"");
+    toml.key("kind", "\"fixed\"");
+    toml.key("orientation", turn, "back: z is up");
+  }
+  toml.table("[support.axle]");
+  toml.key("body", model.nacelle ? "\"nacelle\"" : "\"tower\"");
+  if (model.nacelle) {
+    toml.key("offset", digits(model.nacelle->hub), model.nacelle->hub_from);
+    toml.key("orientation", digits(Eigen::Vector3d(0.0, model.nacelle->tilt, 0.0)),
+             model.nacelle->tilt_from + ", in rad");
+  } else {
+    toml.key("orientation", turn, "back: z is up");
+  }
+}
+
+void write_damping(const FoundDamping& damping, Toml& toml) {
+  if (is_zero(damping.mu) && is_zero(damping.ratios)) return;
+  toml.table("[damping]");
+  if (!damping.mu.empty())
+    toml.key("mu", digits(damping.mu), damping.from);
+  else
+    toml.key("ratios", digits(damping.ratios), damping.from);
+}
+
+}  // namespace
+
+std::string write_scenario(const FoundModel& model) {
+  Toml toml;
+  toml.comment("Written by spoke import from");
+  for (const std::string& source : model.sources) toml.comment("  " + source);
+  toml.comment("Behind each value stands the key and the line that it came from.");
+  if (!model.left_out.empty()) toml.comment("Not carried over:");
+  for (const std::string& text : model.left_out) toml.comment("  - " + text);
+  toml.table("title = " + quoted(model.title));
+  toml.key("world", "\"space\"");
+  write_hub(model, toml);
+  if (model.tower) write_support(model, toml);
+  if (model.blade) write_blade(model, toml);
+  write_damping(model.damping, toml);
+  toml.table("[integration]");
+  toml.key("step", "0.01", "not in the files");
+  toml.key("duration", "10", "not in the files");
+  return toml.take();
+}
+
+}  // namespace spoke::foreign

@@ -1,0 +1,257 @@
+// WindIO's axes of sections are BeamDyn's; grids are shares of the arc length of the reference
+// axis; angles are in rad.
+
+#include "program/foreign/windio_reader.h"
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "models/solid/mesh_text.h"
+#include "models/support/quantity.h"
+#include "program/foreign/input_lines.h"
+#include "program/foreign/section_check.h"
+
+namespace spoke::foreign {
+namespace {
+
+/// A node of the file and its path of keys.
+class Entry {
+ public:
+  Entry(YAML::Node node, const std::string& file, std::string path, int line)
+      : node_(std::move(node)), file_(&file), path_(std::move(path)), line_(line) {}
+
+  int line() const { return line_; }
+  const std::string& path() const { return path_; }
+  std::string from() const { return path_ + ", " + place(*file_, line_); }
+  [[noreturn]] void refuse(const std::string& what) const {
+    foreign::refuse(*file_, line_, (path_.empty() ? "" : path_ + ": ") + what);
+  }
+
+  bool has(const std::string& key) const { return node_.IsMap() && find(key).IsDefined(); }
+  /// Returns the value of a key, which must be there.
+  Entry at(const std::string& key) const {
+    if (!node_.IsMap()) refuse("is no map, expected one with the key " + key);
+    const YAML::Node value = find(key);
+    const std::string path = path_.empty() ? key : path_ + '.' + key;
+    if (!value.IsDefined()) refuse("has no key " + key + ", expected " + path);
+    return {value, *file_, path, line_of(value)};
+  }
+  /// Returns the elements of an array.
+  std::vector<Entry> elements() const {
+    if (!node_.IsSequence() || node_.size() > std::size_t{kMostStations})
+      refuse("is no array, expected one of at most " + std::to_string(kMostStations) + " elements");
+    std::vector<Entry> all;
+    std::size_t number = 0;
+    for (const YAML::Node& element : node_)
+      all.emplace_back(element, *file_, path_ + '.' + std::to_string(++number), line_of(element));
+    return all;
+  }
+  double number() const {
+    constexpr double most = 1e30;  // as in scenarios
+    double value = 0.0;
+    const std::string text = node_.IsScalar() ? node_.Scalar() : "";
+    if (!node_.IsScalar() || !solid::read_number(text, value) || std::abs(value) > most)
+      refuse((node_.IsScalar() ? "is " + solid::show_text(text) : std::string("is no number")) +
+             ", expected a number of at most 1e30");
+    return value;
+  }
+  std::vector<double> numbers() const {
+    std::vector<double> values;
+    for (const Entry& element : elements()) values.push_back(element.number());
+    return values;
+  }
+  std::string text() const { return node_.IsScalar() ? printable(node_.Scalar()) : ""; }
+
+ private:
+  YAML::Node find(const std::string& key) const { return std::as_const(node_)[key]; }
+  static int line_of(const YAML::Node& node) { return node.Mark().line + 1; }
+
+  YAML::Node node_;
+  const std::string* file_;
+  std::string path_;
+  int line_;
+};
+
+/// Values over a grid from 0 to 1, linear between.
+struct Course {
+  std::vector<double> grid, values;
+  double at(double place) const {
+    const auto above = std::upper_bound(grid.begin() + 1, grid.end() - 1, place);
+    const auto k = static_cast<std::size_t>(above - grid.begin());
+    const double t = (place - grid[k - 1]) / (grid[k] - grid[k - 1]);
+    if (t == 0.0) return values[k - 1];
+    if (t == 1.0) return values[k];
+    return (1.0 - t) * values[k - 1] + t * values[k];
+  }
+};
+
+std::vector<double> read_grid(const Entry& table) {
+  const Entry entry = table.at("grid");
+  const std::vector<double> grid = entry.numbers();
+  constexpr double least_gap = 1e-9;
+  if (grid.size() < 2 || grid.front() != 0.0 || grid.back() != 1.0)
+    entry.refuse("expected two or more numbers, the first 0, the last 1");
+  for (std::size_t i = 1; i < grid.size(); ++i)
+    if (!(grid[i] > grid[i - 1] + least_gap))
+      entry.refuse("element " + std::to_string(i + 1) + " is " + describe(grid[i]) +
+                   ", expected more than the one before, " + describe(grid[i - 1]));
+  return grid;
+}
+
+template <class Values>
+void check_count(const Entry& entry, const Values& values, std::size_t count) {
+  if (values.size() != count)
+    entry.refuse("has " + std::to_string(values.size()) + " elements, expected " +
+                 std::to_string(count) + ", one for each of grid");
+}
+
+Course read_course(const Entry& table) {
+  Course course{read_grid(table), {}};
+  const Entry values = table.at("values");
+  course.values = values.numbers();
+  check_count(values, course.values, course.grid.size());
+  return course;
+}
+
+/// Returns all places of some grids, in order.
+std::vector<double> unite(std::initializer_list<const Course*> courses) {
+  std::vector<double> all;
+  for (const Course* course : courses)
+    all.insert(all.end(), course->grid.begin(), course->grid.end());
+  std::sort(all.begin(), all.end());
+  const auto close = [](double a, double b) { return b - a <= 1e-9; };
+  all.erase(std::unique(all.begin(), all.end(), close), all.end());
+  all.back() = 1.0;
+  return all;
+}
+
+std::vector<KeyPoint> read_axis(const Entry& axis, const Entry& twist_table) {
+  const Course x = read_course(axis.at("x")), y = read_course(axis.at("y")),
+               z = read_course(axis.at("z")), twist = read_course(twist_table);
+  std::vector<KeyPoint> points;
+  for (const double place : unite({&x, &y, &z, &twist})) {
+    KeyPoint point;
+    point.x = z.at(place);
+    const double sweep = y.at(place), angle = twist.at(place);
+    point.sweep = sweep == 0.0 ? 0.0 : -sweep;
+    point.prebend = x.at(place);
+    point.twist = angle == 0.0 ? 0.0 : -angle;
+    point.from = "axis at " + describe(place) + ", " + axis.from();
+    if (points.empty() && (point.x != 0.0 || sweep != 0.0 || point.prebend != 0.0))
+      axis.refuse("does not begin at the root, expected 0 for x, y and z");
+    if (!points.empty() && !(point.x > points.back().x))
+      axis.at("z").refuse("is " + describe(point.x) + " at " + describe(place) +
+                          ", expected more than at the place before, " + describe(points.back().x));
+    points.push_back(point);
+  }
+  return points;
+}
+
+/// Reads matrices by their upper triangles, or by all entries.
+std::vector<SectionMatrix> read_matrices(const Entry& table, std::size_t count, bool is_mass,
+                                         double& asymmetry) {
+  std::vector<SectionMatrix> matrices;
+  const Entry values = table.at("values");
+  const std::vector<Entry> rows = values.elements();
+  check_count(values, rows, count);
+  for (const Entry& row : rows) {
+    const std::vector<double> entries = row.numbers();
+    constexpr std::size_t all = 36, upper_triangle = 21;
+    if (entries.size() != all && entries.size() != upper_triangle)
+      row.refuse("has " + std::to_string(entries.size()) +
+                 " numbers, expected the 21 of the upper triangle, row by row, or 36");
+    SectionMatrix matrix;
+    std::size_t next = 0;
+    for (int r = 0; r < 6; ++r)
+      for (int c = entries.size() == all ? 0 : r; c < 6; ++c) {
+        matrix(r, c) = entries[next++];
+        if (entries.size() != all) matrix(c, r) = matrix(r, c);
+      }
+    const std::string fault =
+        is_mass ? check_mass(matrix, asymmetry) : check_stiffness(matrix, asymmetry);
+    if (!fault.empty()) row.refuse(fault);
+    matrices.push_back(matrix);
+  }
+  return matrices;
+}
+
+std::vector<FoundSection> read_sections(const Entry& table, double& asymmetry) {
+  const Entry stiffness = table.at("stiff_matrix"), mass = table.at("inertia_matrix");
+  const std::vector<double> grid = read_grid(stiffness), mass_grid = read_grid(mass);
+  if (grid != mass_grid) mass.at("grid").refuse("differs, expected that of stiff_matrix");
+  const auto K = read_matrices(stiffness, grid.size(), false, asymmetry);
+  const auto M = read_matrices(mass, grid.size(), true, asymmetry);
+  const auto stiffness_rows = stiffness.at("values").elements();
+  std::vector<FoundSection> sections;
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    sections.push_back({grid[i], K[i], M[i],
+                        "section " + std::to_string(i + 1) + ", " + stiffness_rows[i].from()});
+  return sections;
+}
+
+void read_rotor(const Entry& root, FoundModel& model) {
+  bool is_upwind = true;
+  if (root.has("assembly")) {
+    const Entry assembly = root.at("assembly");
+    if (assembly.has("number_of_blades")) {
+      const Entry count = assembly.at("number_of_blades");
+      model.blade_count = {count.number(), count.from()};
+      if (!(count.number() >= 1.0 && count.number() <= 1000.0) ||
+          count.number() != std::floor(count.number()))
+        count.refuse("is " + describe(count.number()) + ", expected a whole number from 1 to 1000");
+    }
+    if (assembly.has("rotor_orientation"))
+      is_upwind = !is_same_word(assembly.at("rotor_orientation").text(), "downwind");
+  }
+  if (!root.at("components").has("hub")) return;
+  const Entry hub = root.at("components").at("hub");
+  if (hub.has("diameter")) {
+    const Entry diameter = hub.at("diameter");
+    if (!(diameter.number() >= 0.0))
+      diameter.refuse("is " + describe(diameter.number()) + ", expected 0 or more (m)");
+    model.hub_radius = {0.5 * diameter.number(), diameter.from() + ", half of it"};
+  }
+  if (hub.has("cone_angle")) {
+    const Entry cone = hub.at("cone_angle");
+    model.precone = {is_upwind ? -cone.number() : cone.number(),
+                     cone.from() + ", away from the tower"};
+  }
+  model.has_rotor = true;
+}
+
+void read_blade(const Entry& blade, const std::string& file, FoundModel& model) {
+  const Entry table = blade.at("elastic_properties_mb").at("six_x_six");
+  const Entry shape = blade.has("outer_shape_bem") ? blade.at("outer_shape_bem") : table;
+  const Entry axis = (table.has("reference_axis") ? table : shape).at("reference_axis");
+  const Entry twist = (table.has("twist") ? table : shape).at("twist");
+  double asymmetry = 0.0;
+  const BladeAxis curve(read_axis(axis, twist));
+  BeamTable beam = merge_stations(curve, read_sections(table, asymmetry));
+  beam.length = {curve.points().back().x, "z of " + axis.from()};
+  beam.remarks.emplace_back(
+      "Stations are those of the reference axis and of the sections, whose "
+      "grid is a share of the arc length; sweep is -y, prebend x, twist of "
+      "the other sign.");
+  model.blade = std::move(beam);
+  model.left_out.push_back(file +
+                           ": tower, nacelle, generator, airfoils, materials, layers and "
+                           "control; the hub is held, its mass is not in the file");
+}
+
+}  // namespace
+
+void read_windio(const SourceFile& source, FoundModel& model) {
+  try {
+    const Entry root(YAML::Load(source.text), source.name, "", 0);
+    if (root.has("name")) model.title = root.at("name").text();
+    read_blade(root.at("components").at("blade"), source.name, model);
+    read_rotor(root, model);
+  } catch (const YAML::Exception& error) {
+    refuse(source.name, error.mark.is_null() ? 0 : error.mark.line + 1,
+           "is no YAML: " + printable(error.msg) + ", expected an ontology of WindIO");
+  }
+}
+
+}  // namespace spoke::foreign
