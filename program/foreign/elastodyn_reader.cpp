@@ -54,12 +54,13 @@ NamedTable read_table(InputLines& lines, int rows, std::span<const char* const> 
 
 /// Requires shares that ascend from 0 to 1 in the first column that is needed.
 void check_shares(const NamedTable& table, const std::string& file, const char* name) {
+  constexpr double least_gap = 1e-9;
   const std::vector<double> share = table.column(name);
   for (std::size_t i = 0; i < share.size(); ++i) {
     const std::string is = std::string(name) + " is " + describe(share[i]);
     if (i == 0 && share[i] != 0.0)
       refuse(file, table.lines[i], is + ", expected 0 in the first row");
-    if (i > 0 && !(share[i] > share[i - 1]))
+    if (i > 0 && !(share[i] > share[i - 1] + least_gap))
       refuse(file, table.lines[i],
              is + ", expected more than in the row before, " + describe(share[i - 1]));
     if (i + 1 == share.size() && share[i] != 1.0)

@@ -23,7 +23,8 @@ constexpr bool kPutsOffSignals = true;
 constexpr bool kPutsOffSignals = false;
 #endif
 
-constexpr const char* kPrograms[] = {"study", "compare", "predict", "reproduce"};
+constexpr const char* kPrograms[] = {"study",   "import",  "export",
+                                     "compare", "predict", "reproduce"};
 
 std::string program_of(const std::string& command) {
   return std::string(SPOKE_PROGRAM) + '-' + command;

@@ -1,0 +1,155 @@
+// spoke import and spoke export on the command line, and the examples of docs/files.md.
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/contains.h"
+#include "tests/program/cli/program.h"
+#include "tests/program/cli/refusal.h"
+
+using spoke::test::contains;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path kFiles = SPOKE_FOREIGN_FILES;
+
+/// A folder with the small files of the tests.
+class BladeFolder {
+ public:
+  BladeFolder() {
+    for (const auto& entry : fs::directory_iterator(kFiles))
+      fs::copy_file(entry.path(), work.path() / entry.path().filename());
+  }
+  WorkFolder work;
+};
+
+/// The words of a line of a shell without quotes.
+std::vector<std::string> words_of(const std::string& line) {
+  std::istringstream stream(line);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+struct Example {
+  std::vector<std::string> commands;
+  std::vector<std::string> shown;
+};
+
+/// Returns the examples of a document: blocks of commands, each with the block "text" behind it.
+std::vector<Example> examples_of(const std::string& document) {
+  std::vector<Example> examples;
+  std::string kind;
+  for (const std::string& line : lines_of(document)) {
+    if (line.starts_with("```")) {
+      kind = kind.empty() ? line.substr(3) + ' ' : "";
+      if (kind == "sh ") examples.emplace_back();
+    } else if (kind == "sh " && line.starts_with("spoke ")) {
+      examples.back().commands.push_back(line.substr(6));
+    } else if (kind == "text " && !line.empty()) {
+      examples.back().shown.push_back(line);
+    }
+  }
+  return examples;
+}
+
+}  // namespace
+
+TEST_CASE("import writes a scenario that the other commands take") {
+  const BladeFolder folder;
+  const Ended ended =
+      run_spoke({"import", "small_BeamDyn.dat", "--out", "blade.toml"}, folder.work);
+  CHECK(ended.status == 0);
+  CHECK(ended.err.empty());
+  for (const char* part : {"A blade of 20 m", "BeamDyn, primary file", "BeamDyn, blade file",
+                           "1, each of 20 m, 12 stations", "left out", "blade.toml"}) {
+    CAPTURE(part);
+    CHECK(contains(ended.out, part));
+  }
+  CHECK(run_spoke({"check", "blade.toml"}, folder.work).status == 0);
+  CHECK(run_spoke({"run", "blade.toml", "--set", "integration.duration=0.05", "--out", "r",
+                   "--no-report"},
+                  folder.work)
+            .status == 0);
+}
+
+TEST_CASE("a turbine and a rotor are imported whole") {
+  const BladeFolder folder;
+  CHECK(run_spoke({"import", "small_ElastoDyn.dat", "--out", "t.toml"}, folder.work).status == 0);
+  CHECK(run_spoke(
+            {"run", "t.toml", "--set", "integration.duration=0.05", "--out", "r", "--no-report"},
+            folder.work)
+            .status == 0);
+  CHECK(run_spoke({"import", "small_ElastoDyn_blade.dat", "small_ElastoDyn_tower.dat", "--length",
+                   "18.5", "--height", "24", "--out", "b.toml"},
+                  folder.work)
+            .status == 0);
+  CHECK(run_spoke({"check", "b.toml"}, folder.work).status == 0);
+}
+
+TEST_CASE("export writes two files that import takes") {
+  const BladeFolder folder;
+  REQUIRE(run_spoke({"import", "small_BeamDyn.dat", "--out", "a.toml"}, folder.work).status == 0);
+  const Ended ended = run_spoke({"export", "beamdyn", "a.toml", "--out", "sub/x.dat"}, folder.work);
+  CHECK(ended.status == 2);  // there is no such folder
+  CHECK(run_spoke({"export", "beamdyn", "a.toml", "--out", "x.dat"}, folder.work).status == 0);
+  CHECK(fs::exists(folder.work.path() / "x_blade.dat"));
+  CHECK(run_spoke({"import", "x.dat", "--out", "b.toml"}, folder.work).status == 0);
+}
+
+TEST_CASE("what cannot be imported or exported is refused before anything is written") {
+  const BladeFolder folder;
+  const auto refused = [&](const std::vector<std::string>& words, const std::string& message) {
+    check_refused(words, message, folder.work);
+  };
+  refused({"import", "none.dat", "--out", "o.toml"},
+          "none.dat: no such file, expected a file of BeamDyn or ElastoDyn");
+  refused({"import", "small_BeamDyn_blade.dat", "--out", "o.toml"},
+          "small_BeamDyn_blade.dat:1: has no key points, expected BeamDyn's primary file besides");
+  refused({"import", "small_BeamDyn.dat"}, "--out is required");
+  refused({"import", "--out", "o.toml"}, "FILE is required");
+  refused({"import", "small_ElastoDyn_blade.dat", "--length", "0", "--out", "o.toml"},
+          "--length: expected a number above 0 [m]");
+  refused({"import", "small_ElastoDyn_blade.dat", "--length", "long", "--out", "o.toml"},
+          "--length: expected a number above 0 [m]");
+  refused({"import", "small_BeamDyn.dat", "small_BeamDyn.dat", "--out", "o.toml"},
+          "is a second file of the kind \"BeamDyn, primary file\"");
+  refused({"import", "small_BeamDyn.dat", "--out", "none/o.toml"}, "none/o.toml");
+  refused({"export", "hawc2", "x.toml", "--out", "o.dat"}, "FORMAT");
+  refused({"export", "beamdyn", shipped("wu_haug_rotor"), "--out", "o.dat"},
+          "has no blade in space, expected one");
+  refused({"export", "beamdyn", shipped("nrel_5mw_rotor"), "--blade", "4", "--out", "o.dat"},
+          "--blade 4: expected a number from 1 to 3");
+}
+
+TEST_CASE("the examples of docs/files.md show what the program prints") {
+  const WorkFolder folder;
+  fs::create_directory_symlink(fs::path(SPOKE_MODELS_DIR).parent_path() / "tests",
+                               folder.path() / "tests");
+  fs::create_directory_symlink(SPOKE_MODELS_DIR, folder.path() / "models");
+  const auto examples =
+      examples_of(file_text(fs::path(SPOKE_MODELS_DIR).parent_path() / "docs" / "files.md"));
+  CHECK(examples.size() >= 4);
+  for (const Example& example : examples) {
+    std::string printed;
+    for (const std::string& command : example.commands) {
+      CAPTURE(command);
+      const Ended ended = run_spoke(words_of(command), folder);
+      CHECK(ended.status == 0);
+      CHECK(ended.err.empty());
+      printed += ended.out;
+      for (const std::string& word : words_of(command))  // a file that was written is shown, too
+        if (word.ends_with(".toml") && fs::exists(folder.path() / word))
+          printed += file_text(folder.path() / word);
+    }
+    for (const std::string& line : example.shown) {
+      CAPTURE(line);
+      CHECK(contains(printed, line));
+    }
+  }
+}
