@@ -52,6 +52,7 @@ engine/run/	steps, windows, recording
 engine/simulation/	behind Simulation
 engine/scene/	models as they are drawn
 engine/vtk/	files for ParaView
+program/foreign/	files of other programs
 program/ranks/	processes of MPI
 program/report/	pages and charts
 program/viewer/	the page of a trace

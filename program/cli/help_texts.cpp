@@ -176,6 +176,8 @@ const char* const kProgramText = R"(Examples:
   spoke modes models/nrel_5mw_rotor.toml
   spoke campbell models/nrel_5mw_rotor.toml --speeds 0:2:0.1
   spoke critical models/nrel_5mw_rotor.toml --of speed --from 0 --to 4
+  spoke import blade_BeamDyn.dat --out blade.toml
+  spoke export beamdyn models/nrel_5mw_rotor.toml --out nrel_5mw_BeamDyn.dat
   spoke compare models/wu_haug_rotor.toml
   spoke predict models/wu_haug_rotor.toml
   spoke trace models/wu_haug_rotor.toml
