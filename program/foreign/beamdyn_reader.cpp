@@ -42,6 +42,7 @@ KeyPoint read_key_point(InputLines& lines, int number, const std::vector<KeyPoin
   point.x = row[2];
   point.sweep = row[1] == 0.0 ? 0.0 : -row[1];
   point.prebend = row[0];
+  if (before.empty() && is_at_root(point)) point.x = point.sweep = point.prebend = 0.0;
   point.twist = row[3] == 0.0 ? 0.0 : -row[3] * std::numbers::pi / 180.0;
   point.from = "key point " + std::to_string(number) + ", " + lines.place();
   if (before.empty() && (point.x != 0.0 || point.sweep != 0.0 || point.prebend != 0.0))
@@ -87,6 +88,35 @@ FoundSection read_section(InputLines& lines, int number, int total, double befor
   return section;
 }
 
+/// Reads the ratios of modes that newer files have behind the factors.
+void read_modal_damping(InputLines& lines, bool is_used, BeamDynBlade& blade) {
+  lines.take_filled("the headline MODAL DAMPING");
+  const int modes = lines.take_count("n_modes", 1, 200);
+  const auto ratios = lines.take_numbers(static_cast<std::size_t>(modes),
+                                         "zeta, a damping ratio for each of n_modes");
+  if (!is_used) return;
+  for (const double ratio : ratios)
+    if (!(ratio >= 0.0 && ratio < 1.0))
+      lines.refuse("zeta is " + describe(ratio) + ", expected ratios of 0 or more and less than 1");
+  blade.ratios = ratios;
+  blade.damping_from = "zeta, " + lines.place();
+}
+
+void read_damping(InputLines& lines, BeamDynBlade& blade) {
+  const bool has_modes = lines.has("n_modes");
+  const int kind = lines.take_count("damp_type", 0, has_modes ? 2 : 1);
+  lines.take_filled("the headline DAMPING COEFFICIENT");
+  lines.take_filled("the heads of the columns mu1 to mu6");
+  lines.take_filled("the units of mu1 to mu6");
+  const std::vector<double> mu = lines.take_numbers(6, "mu1 to mu6");
+  for (const double factor : mu)
+    if (factor < 0.0)
+      lines.refuse("mu is " + describe(factor) + ", expected six numbers of 0 or more (s)");
+  blade.damping_from = "mu1 to mu6, " + lines.place();
+  if (kind == 1) blade.mu = mu;
+  if (has_modes) read_modal_damping(lines, kind == 2, blade);
+}
+
 }  // namespace
 
 BeamDynPrimary read_beamdyn_primary(const SourceFile& source) {
@@ -114,16 +144,7 @@ BeamDynBlade read_beamdyn_blade(const SourceFile& source) {
   blade.title = printable(lines.take("a title"));
   lines.take_filled("the headline BLADE PARAMETERS");
   const int total = lines.take_count("station_total", 2, kMostStations);
-  const int kind = lines.take_count("damp_type", 0, 1);
-  lines.take_filled("the headline DAMPING COEFFICIENT");
-  lines.take_filled("the heads of the columns mu1 to mu6");
-  lines.take_filled("the units of mu1 to mu6");
-  const std::vector<double> mu = lines.take_numbers(6, "mu1 to mu6");
-  for (const double factor : mu)
-    if (factor < 0.0)
-      lines.refuse("mu is " + describe(factor) + ", expected six numbers of 0 or more (s)");
-  if (kind == 1) blade.mu = mu;
-  blade.mu_from = "mu1 to mu6, " + lines.place();
+  read_damping(lines, blade);
   lines.take_filled("the headline DISTRIBUTED PROPERTIES");
   for (int number = 1; number <= total; ++number)
     blade.sections.push_back(read_section(

@@ -28,8 +28,9 @@ struct BeamDynPrimary {
 /// What a blade file says.
 struct BeamDynBlade {
   std::string title;
-  std::vector<double> mu;  ///< six factors [s]; empty: no damping
-  std::string mu_from;
+  std::vector<double> mu;      ///< six factors [s]; empty: none
+  std::vector<double> ratios;  ///< damping ratios of the lowest modes; empty: none
+  std::string damping_from;
   std::vector<FoundSection> sections;
   /// Largest difference of two entries of matrices that were made symmetric, by their diagonal.
   double asymmetry = 0.0;

@@ -52,6 +52,12 @@ void add_station(const KeyPoint& point, const FoundSection& section, const std::
 
 }  // namespace
 
+bool is_at_root(const KeyPoint& point) {
+  constexpr double small = 1e-6;  // [m]
+  return std::abs(point.x) < small && std::abs(point.sweep) < small &&
+         std::abs(point.prebend) < small;
+}
+
 BladeAxis::BladeAxis(std::vector<KeyPoint> points)
     : points_(std::move(points)), axis_(make_axis(points_)), twist_(make_twist(points_)) {
   assert(points_.size() > 1 && points_.front().x == 0.0);

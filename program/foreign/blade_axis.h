@@ -20,6 +20,9 @@ struct KeyPoint {
   std::string from{};
 };
 
+/// Returns whether a point is at the root but for what rounding left.
+bool is_at_root(const KeyPoint& point);
+
 /// Natural cubic splines through key points: of the axis and of the twist.
 class BladeAxis {
  public:

@@ -118,7 +118,7 @@ void read_beamdyn(FoundFiles& files, FoundModel& model) {
     beam.remarks.emplace_back("Matrices were made symmetric; entries differed by up to " +
                               std::to_string(100.0 * blade.asymmetry) + " % of their diagonal.");
   model.blade = std::move(beam);
-  model.damping = {blade.mu, {}, blade.mu_from};
+  model.damping = {blade.mu, blade.ratios, blade.damping_from};
   if (model.title.empty()) model.title = primary.title;
   note_source(source, beamdyn_primary, model);
   note_source(blade_source, beamdyn_blade, model);

@@ -139,7 +139,8 @@ std::vector<KeyPoint> read_axis(const Entry& axis, const Entry& twist_table) {
     point.prebend = x.at(place);
     point.twist = angle == 0.0 ? 0.0 : -angle;
     point.from = "axis at " + describe(place) + ", " + axis.from();
-    if (points.empty() && (point.x != 0.0 || sweep != 0.0 || point.prebend != 0.0))
+    if (points.empty() && is_at_root(point)) point.x = point.sweep = point.prebend = 0.0;
+    if (points.empty() && (point.x != 0.0 || point.sweep != 0.0 || point.prebend != 0.0))
       axis.refuse("does not begin at the root, expected 0 for x, y and z");
     if (!points.empty() && !(point.x > points.back().x))
       axis.at("z").refuse("is " + describe(point.x) + " at " + describe(place) +

@@ -109,6 +109,12 @@ TEST_CASE("faults of BeamDyn's blade file are refused with file, line and what w
        {with_line(with(19, "68 0 0 0 0 -2.72"), 24, "-2.72 0.544 0 0 0 7.865152"),
         ":19: mass matrix of section 1 is not that of a slice"},
        {up_to_line(good, 60), ":60: the file ends here"},
+       {with(5, "2 damp_type\n - \n - \n - \n 1 1 1 1 1 1\n - \n 2 n_modes\n 0.1 1.5"),
+        ":12: zeta is 1.5, expected ratios"},
+       {with(5, "2 damp_type\n - \n - \n - \n 1 1 1 1 1 1\n - \n 0 n_modes"),
+        ":11: n_modes is \"0\", expected a whole number from 1"},
+       {with(5, "2 damp_type\n - \n - \n - \n 1 1 1 1 1 1\n - \n 3 n_modes\n 0.1 0.2"),
+        ":12: has 2 words, expected 3 numbers: zeta"},
        {samples().at(kPrimary), "expected one; the first is small_BeamDyn.dat"}});
 }
 

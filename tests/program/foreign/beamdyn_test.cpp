@@ -145,6 +145,24 @@ TEST_CASE("a blade file that is given stands in for the one that the primary fil
   CHECK(contains(imported.text, "other.dat: BeamDyn, blade file"));
 }
 
+TEST_CASE("newer blade files may damp modes, and a root may be off by round-off") {
+  Texts texts = samples();
+  std::string& blade = texts["small_BeamDyn_blade.dat"];
+  blade =
+      replaced(blade, "---------------------- DISTRIBUTED",
+               "------ Modal Damping [used only if damp_type=2] ------\n"
+               "2   n_modes  - Number of coefficients\n0.01, 0.02, 0.5 zeta\n------ DISTRIBUTED");
+  texts["small_BeamDyn.dat"] = with_line(texts["small_BeamDyn.dat"], 25, " 0 0 -8.1e-28 12.0");
+  const auto by_factors = import_texts(texts, {"small_BeamDyn.dat"});
+  CHECK(by_factors.scenario.space->damping.directions.flap == 2e-3);
+  blade = replaced(blade, " 1   damp_type", " 2   damp_type");
+  const auto by_modes = import_texts(texts, {"small_BeamDyn.dat"});
+  CHECK(by_modes.scenario.space->damping.directions.is_zero());
+  CHECK(by_modes.scenario.space->damping.modes.ratios == std::vector<double>{0.01, 0.02});
+  CHECK(by_modes.scenario.space->blades[0].beam.sections ==
+        import_texts(samples(), {"small_BeamDyn.dat"}).scenario.space->blades[0].beam.sections);
+}
+
 TEST_CASE("a file that is named is looked for beside the one that names it") {
   Texts texts;
   texts["a/primary.dat"] =

@@ -1,0 +1,78 @@
+// libFuzzer: whatever stands in files of BeamDyn, ElastoDyn and WindIO, they make a scenario that
+// is accepted, or are refused by InputError with one line. Lines "#file NAME" begin the files, the
+// first of which is imported, with others whose names begin with "+".
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "program/foreign/export_beamdyn.h"
+#include "program/foreign/import_files.h"
+#include "spoke/error.h"
+
+using namespace spoke;
+
+namespace {
+
+void require(bool holds, const char* what) {
+  if (holds) return;
+  std::fprintf(stderr, "does not hold: %s\n", what);
+  std::abort();
+}
+
+/// Returns the files in order.
+std::vector<foreign::SourceFile> split(const std::string& text) {
+  const std::string head = "#file ";
+  std::vector<foreign::SourceFile> files;
+  std::size_t at = text.starts_with(head) ? 0 : text.find('\n' + head);
+  while (at != std::string::npos) {
+    const std::size_t name = text.find(head, at) + head.size();
+    const std::size_t begin = std::min(text.find('\n', name), text.size());
+    const std::size_t end = text.find('\n' + head, begin);
+    const std::size_t first = std::min(begin + 1, text.size());
+    files.push_back({text.substr(name, begin - name),
+                     text.substr(first, end == std::string::npos ? end : end + 1 - first)});
+    at = end;
+  }
+  return files;
+}
+
+foreign::Imported import_all(const std::vector<foreign::SourceFile>& all) {
+  std::vector<foreign::SourceFile> given;
+  for (const foreign::SourceFile& file : all)
+    if (given.empty() || file.name.starts_with('+')) given.push_back(file);
+  const auto read = [&](const std::string& name) {
+    for (const foreign::SourceFile& file : all)
+      if (file.name == name) return file.text;
+    throw InputError(name + ": no such file, expected one");
+  };
+  return foreign::import_files(given, read, {20.0, 30.0});
+}
+
+/// Requires what a scenario of files promises, and that its blade can be written and read again.
+void check(const foreign::Imported& imported) {
+  const spatial::Model& model = *imported.scenario.space;
+  require(!model.blades.empty() || model.support, "there is a blade or a tower");
+  if (model.blades.empty()) return;
+  const spatial::Beam& beam = model.blades[0].beam;
+  require(std::isfinite(beam.length) && beam.length > 0.0, "a blade is long");
+  const foreign::BeamDynFiles files = foreign::export_beamdyn(imported.scenario, 1, "b.dat");
+  import_all({{"p.dat", files.primary}, {"b.dat", files.blade}});
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
+  const auto files = split(std::string(reinterpret_cast<const char*>(data), size));
+  if (files.empty()) return 0;
+  try {
+    check(import_all(files));
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    require(!message.empty() && message.find('\n') == std::string::npos, "a message is one line");
+  }
+  return 0;
+}
