@@ -75,7 +75,8 @@ class FoundFiles {
     if (has(kind)) return;
     namespace fs = std::filesystem;
     const SourceFile& source = get(by);
-    if (name.empty())
+    const auto is_control = [](unsigned char c) { return c < ' '; };
+    if (name.empty() || std::any_of(name.begin(), name.end(), is_control))
       refuse(source.name, line,
              "names no file, expected one of the kind \"" + std::string(kKindNames[kind]) + '"');
     const std::string path = (fs::path(source.name).parent_path() / name).lexically_normal();

@@ -11,6 +11,7 @@
 
 #include "program/foreign/export_beamdyn.h"
 #include "program/foreign/import_files.h"
+#include "program/foreign/input_lines.h"
 #include "spoke/error.h"
 
 using namespace spoke;
@@ -33,7 +34,7 @@ std::vector<foreign::SourceFile> split(const std::string& text) {
     const std::size_t begin = std::min(text.find('\n', name), text.size());
     const std::size_t end = text.find('\n' + head, begin);
     const std::size_t first = std::min(begin + 1, text.size());
-    files.push_back({text.substr(name, begin - name),
+    files.push_back({foreign::printable(text.substr(name, begin - name)),
                      text.substr(first, end == std::string::npos ? end : end + 1 - first)});
     at = end;
   }
