@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "models/solid/mesh_text.h"
 #include "models/support/quantity.h"
@@ -19,8 +20,8 @@ namespace {
 /// A node of the file and its path of keys.
 class Entry {
  public:
-  Entry(YAML::Node node, const std::string& file, std::string path, int line)
-      : node_(std::move(node)), file_(&file), path_(std::move(path)), line_(line) {}
+  Entry(const YAML::Node& node, const std::string& file, std::string path, int line)
+      : node_(node), file_(&file), path_(std::move(path)), line_(line) {}
 
   int line() const { return line_; }
   const std::string& path() const { return path_; }
@@ -89,7 +90,7 @@ struct Course {
 
 std::vector<double> read_grid(const Entry& table) {
   const Entry entry = table.at("grid");
-  const std::vector<double> grid = entry.numbers();
+  std::vector<double> grid = entry.numbers();
   constexpr double least_gap = 1e-9;
   if (grid.size() < 2 || grid.front() != 0.0 || grid.back() != 1.0)
     entry.refuse("expected two or more numbers, the first 0, the last 1");
@@ -127,14 +128,15 @@ std::vector<double> unite(std::initializer_list<const Course*> courses) {
   return all;
 }
 
-std::vector<KeyPoint> read_axis(const Entry& axis, const Entry& twist_table) {
+/// `unit`: of the twist [rad].
+std::vector<KeyPoint> read_axis(const Entry& axis, const Entry& twist_table, double unit) {
   const Course x = read_course(axis.at("x")), y = read_course(axis.at("y")),
                z = read_course(axis.at("z")), twist = read_course(twist_table);
   std::vector<KeyPoint> points;
   for (const double place : unite({&x, &y, &z, &twist})) {
     KeyPoint point;
     point.x = z.at(place);
-    const double sweep = y.at(place), angle = twist.at(place);
+    const double sweep = y.at(place), angle = unit * twist.at(place);
     point.sweep = sweep == 0.0 ? 0.0 : -sweep;
     point.prebend = x.at(place);
     point.twist = angle == 0.0 ? 0.0 : -angle;
@@ -192,7 +194,104 @@ std::vector<FoundSection> read_sections(const Entry& table, double& asymmetry) {
   return sections;
 }
 
-void read_rotor(const Entry& root, FoundModel& model) {
+/// Reads an array for each of grid; where it may be missing, that is zeros.
+std::vector<double> read_array(const Entry& table, const std::string& key, std::size_t count,
+                               bool may_be_missing) {
+  if (may_be_missing && !table.has(key)) return std::vector<double>(count, 0.0);
+  const Entry entry = table.at(key);
+  std::vector<double> values = entry.numbers();
+  check_count(entry, values, count);
+  return values;
+}
+
+/// Reads K11 to K66 of version 2.
+std::vector<SectionMatrix> read_stiffnesses(const Entry& table, std::size_t count) {
+  std::vector<SectionMatrix> all(count);
+  for (int r = 0; r < 6; ++r)
+    for (int c = r; c < 6; ++c) {
+      const std::string key = 'K' + std::to_string(r + 1) + std::to_string(c + 1);
+      const std::vector<double> values = read_array(table, key, count, r != c);
+      for (std::size_t i = 0; i < count; ++i) all[i](r, c) = all[i](c, r) = values[i];
+    }
+  return all;
+}
+
+/// Reads masses, centres and inertias about the reference axis of version 2.
+std::vector<SectionMatrix> read_masses(const Entry& table, std::size_t count) {
+  const auto array = [&](const char* key, bool may_be_missing) {
+    return read_array(table, key, count, may_be_missing);
+  };
+  const auto mass = array("mass", false), x = array("cm_x", true), y = array("cm_y", true),
+             edge = array("i_edge", false), flap = array("i_flap", false),
+             product = array("i_cp", true);
+  std::vector<SectionMatrix> all(count, SectionMatrix::Zero());
+  for (std::size_t i = 0; i < count; ++i) {
+    SectionMatrix& m = all[i];
+    m(0, 0) = m(1, 1) = m(2, 2) = mass[i];
+    m(0, 5) = m(5, 0) = -mass[i] * y[i];
+    m(1, 5) = m(5, 1) = mass[i] * x[i];
+    m(2, 3) = m(3, 2) = mass[i] * y[i];
+    m(2, 4) = m(4, 2) = -mass[i] * x[i];
+    m(3, 3) = edge[i];
+    m(4, 4) = flap[i];
+    m(5, 5) = edge[i] + flap[i];
+    m(3, 4) = m(4, 3) = -product[i];
+  }
+  return all;
+}
+
+std::vector<FoundSection> read_sections_of_version_2(const Entry& table, double& asymmetry) {
+  const Entry stiffness = table.at("stiffness_matrix"), mass = table.at("inertia_matrix");
+  const std::vector<double> grid = read_grid(stiffness);
+  if (grid != read_grid(mass)) mass.at("grid").refuse("differs, expected that of stiffness_matrix");
+  auto K = read_stiffnesses(stiffness, grid.size());
+  auto M = read_masses(mass, grid.size());
+  std::vector<FoundSection> sections;
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    const std::string name = "section " + std::to_string(i + 1);
+    if (const auto fault = check_stiffness(K[i], asymmetry); !fault.empty())
+      stiffness.refuse(name + ' ' + fault);
+    if (const auto fault = check_mass(M[i], asymmetry); !fault.empty())
+      mass.refuse(name + ' ' + fault);
+    sections.push_back({grid[i], K[i], M[i], name + ", " + stiffness.from()});
+  }
+  return sections;
+}
+
+/// Where a version has what the blade is made of.
+struct BladeTables {
+  Entry axis, twist;
+  std::vector<FoundSection> sections;
+};
+
+BladeTables read_tables_of_version_1(const Entry& blade, double& asymmetry) {
+  const Entry table = blade.at("elastic_properties_mb").at("six_x_six");
+  const Entry shape = blade.has("outer_shape_bem") ? blade.at("outer_shape_bem") : table;
+  return {(table.has("reference_axis") ? table : shape).at("reference_axis"),
+          (table.has("twist") ? table : shape).at("twist"), read_sections(table, asymmetry)};
+}
+
+BladeTables read_tables_of_version_2(const Entry& blade, double& asymmetry, FoundModel& model) {
+  const Entry table = blade.at("structure").at("elastic_properties");
+  if (table.has("structural_damping")) {
+    const Entry mu = table.at("structural_damping").at("mu");
+    model.damping = {mu.numbers(), {}, mu.from()};
+    constexpr std::size_t factors = 6;
+    for (const double factor : model.damping.mu)
+      if (factor < 0.0) mu.refuse("is " + describe(factor) + ", expected numbers of 0 or more (s)");
+    if (model.damping.mu.size() != factors)
+      mu.refuse("has " + std::to_string(model.damping.mu.size()) + " elements, expected 6");
+  }
+  return {blade.at("reference_axis"), blade.at("outer_shape").at("twist"),
+          read_sections_of_version_2(table, asymmetry)};
+}
+
+bool is_version_2(const Entry& root) {
+  return root.has("windIO_version") && root.at("windIO_version").text().starts_with('2');
+}
+
+/// `unit`: of the cone angle [rad].
+void read_rotor(const Entry& root, double unit, FoundModel& model) {
   bool is_upwind = true;
   if (root.has("assembly")) {
     const Entry assembly = root.at("assembly");
@@ -216,20 +315,18 @@ void read_rotor(const Entry& root, FoundModel& model) {
   }
   if (hub.has("cone_angle")) {
     const Entry cone = hub.at("cone_angle");
-    model.precone = {is_upwind ? -cone.number() : cone.number(),
-                     cone.from() + ", away from the tower"};
+    const double angle = unit * cone.number();
+    model.precone = {is_upwind ? -angle : angle, cone.from() + ", away from the tower"};
   }
   model.has_rotor = true;
 }
 
-void read_blade(const Entry& blade, const std::string& file, FoundModel& model) {
-  const Entry table = blade.at("elastic_properties_mb").at("six_x_six");
-  const Entry shape = blade.has("outer_shape_bem") ? blade.at("outer_shape_bem") : table;
-  const Entry axis = (table.has("reference_axis") ? table : shape).at("reference_axis");
-  const Entry twist = (table.has("twist") ? table : shape).at("twist");
-  double asymmetry = 0.0;
-  const BladeAxis curve(read_axis(axis, twist));
-  BeamTable beam = merge_stations(curve, read_sections(table, asymmetry));
+/// `unit`: of the twist [rad].
+void read_blade(const BladeTables& tables, double unit, const std::string& file,
+                FoundModel& model) {
+  const Entry& axis = tables.axis;
+  const BladeAxis curve(read_axis(axis, tables.twist, unit));
+  BeamTable beam = merge_stations(curve, tables.sections);
   beam.length = {curve.points().back().x, "z of " + axis.from()};
   beam.remarks.emplace_back(
       "Stations are those of the reference axis and of the sections, whose "
@@ -247,8 +344,14 @@ void read_windio(const SourceFile& source, FoundModel& model) {
   try {
     const Entry root(YAML::Load(source.text), source.name, "", 0);
     if (root.has("name")) model.title = root.at("name").text();
-    read_blade(root.at("components").at("blade"), source.name, model);
-    read_rotor(root, model);
+    const Entry blade = root.at("components").at("blade");
+    const bool is_new = is_version_2(root);
+    const double unit = is_new ? std::numbers::pi / 180.0 : 1.0;
+    double asymmetry = 0.0;  // entries of full matrices only
+    read_blade(is_new ? read_tables_of_version_2(blade, asymmetry, model)
+                      : read_tables_of_version_1(blade, asymmetry),
+               unit, source.name, model);
+    read_rotor(root, unit, model);
   } catch (const YAML::Exception& error) {
     refuse(source.name, error.mark.is_null() ? 0 : error.mark.line + 1,
            "is no YAML: " + printable(error.msg) + ", expected an ontology of WindIO");

@@ -94,6 +94,32 @@ TEST_CASE("a blade of WindIO has the sections and frequencies of a second conver
   CHECK(contains(imported.text, "# components.hub.diameter, small_windio.yaml:"));
 }
 
+TEST_CASE("version 2 gives the blade of version 1") {
+  const auto second = import_texts(samples(), {"small_windio_2.yaml"});
+  const auto first = import_texts(samples(), {kOntology});
+  const spatial::Model &a = *first.scenario.space, &b = *second.scenario.space;
+  check_same(b.blades.at(2).beam.sections, a.blades.at(2).beam.sections);
+  CHECK(b.hub.radius == a.hub.radius);
+  CHECK(b.blades[0].precone == doctest::Approx(a.blades[0].precone).epsilon(1e-12));
+  CHECK(b.damping.directions.flap == 0.002);
+  CHECK(a.damping.directions.is_zero());
+}
+
+TEST_CASE("faults of version 2 are refused") {
+  constexpr const char* name = "small_windio_2.yaml";
+  const std::string good = samples().at(name);
+  check_refused(name, {name},
+                {{replaced(good, "    structure:", "    parts:"), "has no key structure"},
+                 {replaced(good, "K44:", "K4:"), "has no key K44, expected components.blade"},
+                 {replaced(good, "K12: [", "K12: [1, "), "K12: has 5 elements, expected 4"},
+                 {replaced(good, "K33: [", "K33: [-"), "stiffness_matrix: section 1 has -"},
+                 {replaced(good, "i_flap: [", "i_flap: [-"), "inertia_matrix: section 1 has -"},
+                 {replaced(good, "mu: [0.002", "mu: [-0.002"), "mu: is -0.002, expected numbers"},
+                 {replaced(good, "mu: [0.002,", "mu: ["), "mu: has 5 elements, expected 6"},
+                 {replaced(good, "windIO_version: '2.0'", "windIO_version: '1.0'"),
+                  "has no key elastic_properties_mb"}});
+}
+
 TEST_CASE("a downwind rotor is coned downwind") {
   Texts texts = samples();
   texts[kOntology] = replaced(texts[kOntology], "Upwind", "Downwind");
