@@ -72,9 +72,9 @@ void set_motions(const Layout& z, const LinearModel& linear, SteadyModel& model,
     support.motion.leftCols(z.base) = linear.couplings[0].following;
   const int hub = static_cast<int>(std::ssize(model.body_names(0))) - 1;
   const MatrixXd twists = model.twists(0, hub);
-  support.J = twists.rightCols(n) * support.motion;
-  if (z.base > 0)
-    support.J.leftCols(z.base) += twists.leftCols(6)(Eigen::all, model.free_components());
+  support.base = MatrixXd::Zero(6, z.all);
+  support.base.leftCols(z.base).setIdentity();
+  support.J = twists.rightCols(n) * support.motion + twists.leftCols(6) * support.base;
   if (z.has_axle()) support.J(5, z.all - 1) = 1.0;
 }
 

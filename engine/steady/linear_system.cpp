@@ -68,13 +68,26 @@ MatrixXd to_columns(const std::vector<steady::LoadEffect>& effects,
   return matrix;
 }
 
+/// Linearises a model; a rotor on a support, which must be at rest, on it.
+steady::LinearModel linearize_standing(const steady::Equilibrium& equilibrium, SteadyModel& model) {
+  steady::LinearModel linear = linearize(equilibrium, model);
+  if (!linear.support) return linear;
+  if (model.speed() != 0.0)
+    throw InputError(
+        "support: the matrices of a rotor that turns on a support are not constant in the frame of "
+        "its hub, expected a speed of 0 (--speed 0); spoke modes sees it from outside");
+  steady::stand_on(*linear.support, linear);
+  return linear;
+}
+
 class Assembly {
  public:
   Assembly(const Scenario& scenario, const steady::Equilibrium& equilibrium, SteadyModel& model)
       : equilibrium_(equilibrium),
         model_(model),
-        linear_(linearize(equilibrium, model)),
+        linear_(linearize_standing(equilibrium, model)),
         kinematics_(make_hub_kinematics(model)),
+        hub_motion_(find_hub_motion()),
         effects_(calc_load_effects(scenario, equilibrium, model)) {
     count();
     if (linear_.is_coupled() && size_ > kMostCoupled)
@@ -87,10 +100,18 @@ class Assembly {
 
  private:
   const std::vector<int>& free() const { return model_.free_components(); }
-  Index hub_size() const { return std::ssize(free()); }
+  Index hub_size() const { return linear_.M.rows(); }
   /// Number of the coordinates that the loops of a subsystem leave independent.
   Index subsystem_size(std::size_t i) const { return linear_.subsystem(i).M.rows(); }
   Index load_count(std::size_t i) const { return std::ssize(effects_.subsystems[i]); }
+  MatrixXd find_hub_motion() const;
+  /// Returns how the hub's coordinates move what carries a subsystem: the hub, or a support's base.
+  const MatrixXd& carrier_motion(std::size_t i) const {
+    return model_.stands(i) ? linear_.support->base : hub_motion_;
+  }
+  bool has_axle() const { return linear_.support && linear_.support->of.back() == "axle"; }
+  /// Number of the forces on the hub.
+  Index effort_count() const { return std::ssize(free()) + (has_axle() ? 1 : 0); }
   bool turns(int c) const { return c >= model_.first_rotation(); }
 
   void count();
@@ -98,19 +119,22 @@ class Assembly {
   void name_inputs();
   Part make_subsystem_part(std::size_t i);
   Part make_whole_part();
+  LinearSignal name_hub(int c) const;
   LinearSignal name_coordinate(std::size_t i, Index k) const;
   MatrixXd on_subsystem(std::size_t i) const;
-  MatrixXd on_free_hub(const std::vector<steady::LoadEffect>& effects) const;
+  MatrixXd on_hub(const std::vector<steady::LoadEffect>& effects, const MatrixXd& motion) const;
   void add_part(const Part& part, Index coordinate, Index input);
   void add_outputs_of(std::size_t i);
   void add_by_coordinates(std::size_t i, Index row, const MatrixXd& by, Index first);
   void add_output(const LinearSignal& signal, Index column);
   void add_hub_outputs();
+  void add_supported_hub_outputs();
 
   const steady::Equilibrium& equilibrium_;
   SteadyModel& model_;
   steady::LinearModel linear_;
   steady::HubKinematics kinematics_;
+  MatrixXd hub_motion_;  ///< the hub's twist by its coordinates' rates
   steady::LoadEffects effects_;
   std::vector<Index> coordinates_, inputs_;  ///< first index of each subsystem
   Index size_ = 0;                           ///< number of all coordinates
@@ -126,14 +150,23 @@ void Assembly::count() {
     coordinates_.push_back(std::exchange(size_, size_ + subsystem_size(i)));
     inputs_.push_back(std::exchange(input_count_, input_count_ + load_count(i)));
   }
-  if (linear_.is_coupled()) input_count_ += std::ssize(effects_.hub) + hub_size();
+  if (linear_.is_coupled()) input_count_ += std::ssize(effects_.hub) + effort_count();
+}
+
+MatrixXd Assembly::find_hub_motion() const {
+  if (linear_.support) return linear_.support->J;
+  const Index d = model_.twist_size();
+  const MatrixXd all = MatrixXd::Identity(d, d);
+  return all(Eigen::all, free());
 }
 
 void Assembly::name_states() {
   std::vector<LinearSignal>& states = result_.states;
-  for (const int c : free())
-    states.push_back(
-        {std::string("hub / ") + name_component(c, model_).coordinate, turns(c) ? "rad" : "m"});
+  if (const auto& support = linear_.support)
+    for (std::size_t k = 0; k < support->names.size(); ++k)
+      states.push_back({support->names[k], support->turns[k] ? "rad" : "m"});
+  else
+    for (const int c : free()) states.push_back(name_hub(c));
   for (std::size_t i = 0; i < model_.subsystems(); ++i)
     for (const Index k : linear_.subsystem(i).independent) states.push_back(name_coordinate(i, k));
   for (std::size_t k = 0; k < static_cast<std::size_t>(size_); ++k)
@@ -149,6 +182,11 @@ void Assembly::name_inputs() {
   for (const int c : free())
     inputs.push_back(
         {std::string("hub / ") + name_component(c, model_).effort, turns(c) ? "N m" : "N"});
+  if (has_axle()) inputs.push_back({"axle / torque", "N m"});
+}
+
+LinearSignal Assembly::name_hub(int c) const {
+  return {std::string("hub / ") + name_component(c, model_).coordinate, turns(c) ? "rad" : "m"};
 }
 
 Part Assembly::make_subsystem_part(std::size_t i) {
@@ -167,13 +205,15 @@ MatrixXd Assembly::on_subsystem(std::size_t i) const {
   const MatrixXd force = to_columns(effects_.subsystems[i], &steady::LoadEffect::force,
                                     std::ssize(model_.coordinates(i)));
   const MatrixXd& Z = linear_.subsystem(i).basis;
-  return Z.size() == 0 || force.cols() == 0 ? force : MatrixXd(Z.transpose() * force);
+  return Z.rows() == 0 ? force : MatrixXd(Z.transpose() * force);
 }
 
-/// Returns the forces of these effects on the hub's free components.
-MatrixXd Assembly::on_free_hub(const std::vector<steady::LoadEffect>& effects) const {
-  return to_columns(effects, &steady::LoadEffect::hub_force, model_.twist_size())(free(),
-                                                                                  Eigen::all);
+/// Returns the forces of these effects on the hub's coordinates, by their wrench on what `motion`
+/// moves.
+MatrixXd Assembly::on_hub(const std::vector<steady::LoadEffect>& effects,
+                          const MatrixXd& motion) const {
+  return motion.transpose() *
+         to_columns(effects, &steady::LoadEffect::hub_force, model_.twist_size());
 }
 
 Part Assembly::make_whole_part() {
@@ -198,15 +238,17 @@ Part Assembly::make_whole_part() {
     put(subsystem.K, hub.K_bh, hub.K_hb, part.K);
     const std::vector<steady::LoadEffect>& effects = effects_.subsystems[i];
     part.F.block(at, inputs_[i], n, load_count(i)) = on_subsystem(i);
-    part.F.block(0, inputs_[i], h, load_count(i)) = on_free_hub(effects);
+    part.F.block(0, inputs_[i], h, load_count(i)) = on_hub(effects, carrier_motion(i));
     if (hub.following.size() > 0 && load_count(i) > 0)
       part.F.block(0, inputs_[i], h, load_count(i)) +=
           hub.following.transpose() *
           to_columns(effects, &steady::LoadEffect::force, std::ssize(model_.coordinates(i)));
   }
-  const Index loads = std::ssize(effects_.hub), own = input_count_ - h;
-  part.F.block(0, own - loads, h, loads) = on_free_hub(effects_.hub);
-  part.F.block(0, own, h, h).setIdentity();
+  const Index loads = std::ssize(effects_.hub), own = input_count_ - effort_count();
+  part.F.block(0, own - loads, h, loads) = on_hub(effects_.hub, hub_motion_);
+  const MatrixXd by_effort = hub_motion_.transpose();
+  part.F.block(0, own, h, std::ssize(free())) = by_effort(Eigen::all, free());
+  if (has_axle()) part.F(h - 1, input_count_ - 1) = 1.0;
   return part;
 }
 
@@ -239,11 +281,11 @@ void Assembly::add_outputs_of(std::size_t i) {
   D_.add(row, inputs_[i],
          to_columns(effects_.subsystems[i], &steady::LoadEffect::outputs, std::ssize(signals)));
   if (linear_.is_coupled()) {
-    const auto select = [&](const MatrixXd& m) { return MatrixXd(m(Eigen::all, free())); };
-    const MatrixXd by_acceleration = select(by.by_acceleration);
+    const auto by_hub = [&](const MatrixXd& m) { return MatrixXd(m * carrier_motion(i)); };
+    const MatrixXd by_acceleration = by_hub(by.by_acceleration);
     C_.add(row, 0,
-           select(by.by_turn + by.by_twist * kinematics_.W + by.by_acceleration * kinematics_.P0));
-    C_.add(row, size_, select(by.by_twist + by.by_acceleration * kinematics_.P1));
+           by_hub(by.by_turn + by.by_twist * kinematics_.W + by.by_acceleration * kinematics_.P0));
+    C_.add(row, size_, by_hub(by.by_twist + by.by_acceleration * kinematics_.P1));
     C_.add(row, 0, by_acceleration * hub_by_state_);
     D_.add(row, 0, by_acceleration * hub_by_input_);
   }
@@ -260,7 +302,7 @@ void Assembly::add_outputs_of(std::size_t i) {
 /// `first`.
 void Assembly::add_by_coordinates(std::size_t i, Index row, const MatrixXd& by, Index first) {
   const MatrixXd& Z = linear_.subsystem(i).basis;
-  C_.add(row, first + coordinates_[i], Z.size() > 0 ? MatrixXd(by * Z) : by);
+  C_.add(row, first + coordinates_[i], Z.rows() > 0 ? MatrixXd(by * Z) : by);
   if (!linear_.is_coupled()) return;
   const MatrixXd& G = linear_.couplings[i].following;
   if (G.size() > 0) C_.add(row, first, by * G);
@@ -273,9 +315,22 @@ void Assembly::add_output(const LinearSignal& signal, Index column) {
 }
 
 void Assembly::add_hub_outputs() {
+  if (linear_.support) return add_supported_hub_outputs();
   for (Index k = 0; k < hub_size(); ++k)
     for (const Index column : {k, size_ + k})
       add_output(result_.states[static_cast<std::size_t>(column)], column);
+}
+
+/// Adds the motion of a hub on a support.
+void Assembly::add_supported_hub_outputs() {
+  for (const int c : free()) {
+    const LinearSignal moved = name_hub(c);
+    for (const bool is_rate : {false, true}) {
+      C_.add(std::ssize(result_.outputs), is_rate ? size_ : 0, hub_motion_.row(c));
+      result_.outputs.push_back(is_rate ? LinearSignal{"rate of " + moved.name, moved.unit + "/s"}
+                                        : moved);
+    }
+  }
 }
 
 LinearSystem Assembly::make() {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/steady/output_derivatives.h"
+#include "engine/steady/supported_model.h"
 
 namespace spoke::steady {
 namespace {
@@ -117,6 +118,7 @@ LoadEffects calc_load_effects(const Scenario& scenario, const Equilibrium& equil
     input.raise(raised);
     const std::unique_ptr<SteadyModel> more =
         make_steady_model(raised, {.speed = model.speed(), .has_outputs = true});
+    if (SupportedModel* machine = more->on_support()) machine->stand_like(*model.on_support());
     for (std::size_t i = 0; i < model.subsystems(); ++i) {
       more->settle_at(i, model.absolute(i, equilibrium.q[i]));
       LoadEffect effect = answer(i, make_state(equilibrium.q[i]), *more);

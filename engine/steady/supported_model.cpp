@@ -59,7 +59,15 @@ std::unique_ptr<SteadyModel> SupportedModel::move_rotor(const Matrix3d& axes) {
 }
 
 std::unique_ptr<SteadyModel> SupportedModel::load_support(const HubVector& wrench) {
-  return std::exchange(support_, parts_.support(turn_parts(axes_, wrench)));
+  wrench_ = turn_parts(axes_, wrench);
+  return std::exchange(support_, parts_.support(wrench_));
+}
+
+void SupportedModel::stand_like(const SupportedModel& other) {
+  axes_ = other.axes_;
+  wrench_ = other.wrench_;
+  rotor_ = parts_.rotor(axes_, DeadLoads::steady);
+  support_ = parts_.support(wrench_);
 }
 
 void SupportedModel::set_share(double share) {

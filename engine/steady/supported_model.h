@@ -54,6 +54,8 @@ class SupportedModel final : public SteadyModel {
   /// Lets a wrench of the rotor act on the support, along the axes of the hub in force. Returns the
   /// model before.
   std::unique_ptr<SteadyModel> load_support(const HubVector& wrench);
+  /// Puts the rotor, and lets a wrench act, as in another model.
+  void stand_like(const SupportedModel& other);
   /// Returns the mean over a turn of what the rotor in equilibrium exerts on its hub, along the
   /// axes that the hub has at azimuth zero, if it is turned by the small rotation vector `turn`,
   /// the other components of a twist being unused.
@@ -137,6 +139,7 @@ class SupportedModel final : public SteadyModel {
   std::vector<std::string> other_sensors_;
   std::unique_ptr<SteadyModel> rotor_, support_;
   Eigen::Matrix3d axes_ = Eigen::Matrix3d::Identity();  ///< of the hub, inertial frame
+  HubVector wrench_ = HubVector::Zero(6);  ///< of the rotor on the support, inertial axes
 };
 
 /// The equilibria of the two models of a supported one.

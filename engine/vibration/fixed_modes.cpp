@@ -39,17 +39,6 @@ struct Fixed {
   }
 };
 
-FixedFrame make_frame(const Linearised& all) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < all.model.subsystems(); ++i) names.push_back(all.model.name_of(i));
-  const FixedFrame rotor = make_fixed_frame(
-      all.linear, all.model.azimuths(), names,
-      make_standing_axes(all.model.free_components(), all.model.is_spatial(), all.model.speed()));
-  if (!all.linear.support) return rotor;
-  const steady::LinearSupport& support = *all.linear.support;
-  return stand_on(rotor, support.J, {support.M, support.C, support.K});
-}
-
 /// The motion of a pattern in a mode: that of a blade, y exp(i (w t + n psi_b)) as it turns along.
 struct PatternMotion {
   VectorXcd y;                ///< coordinates of a blade
@@ -250,8 +239,19 @@ bool goes_on(const Root& root) {
 
 }  // namespace
 
+FixedFrame see_from_outside(const Linearised& all) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < all.model.subsystems(); ++i) names.push_back(all.model.name_of(i));
+  const FixedFrame rotor = make_fixed_frame(
+      all.linear, all.model.azimuths(), names,
+      make_standing_axes(all.model.free_components(), all.model.is_spatial(), all.model.speed()));
+  if (!all.linear.support) return rotor;
+  const steady::LinearSupport& support = *all.linear.support;
+  return stand_on(rotor, support.J, {support.M, support.C, support.K});
+}
+
 void add_fixed_modes(const ModeCount& count, const Linearised& all, ModesResult& result) {
-  const FixedFrame frame = make_frame(all);
+  const FixedFrame frame = see_from_outside(all);
   const Fixed fixed{all, frame};
   const Index size = frame.start(frame.patterns.size());
   if (size == 0)

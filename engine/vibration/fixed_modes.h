@@ -3,8 +3,13 @@
 // Modes seen from outside, in multi-blade coordinates.
 
 #include "engine/vibration/mode_parts.h"
+#include "engine/vibration/multi_blade.h"
 
 namespace spoke::vibration {
+
+/// Takes a rotor to multi-blade coordinates, and puts it on its support, if it has one. Throws like
+/// make_fixed_frame().
+FixedFrame see_from_outside(const Linearised& all);
 
 /// Adds the lowest modes of a rotor in the frame that stands: `count` of the whole model. Throws
 /// like make_fixed_frame(), and InputError if there are too few modes.

@@ -16,6 +16,7 @@
 #include "engine/steady/steady_speed.h"
 #include "engine/steady/steady_warnings.h"
 #include "engine/vibration/equilibrium_path.h"
+#include "engine/vibration/fixed_modes.h"
 #include "engine/vibration/follow_modes.h"
 #include "engine/vibration/solve_modes.h"
 #include "engine/vibration/stability.h"
@@ -103,6 +104,13 @@ struct Sample {
   double value() const { return place->value; }
 };
 
+/// Returns the frame in which stability is judged: a rotor that turns on a support has no constant
+/// matrices but as seen from outside.
+ModeFrame choose_frame(const Scenario& scenario, const Parameter& parameter) {
+  const bool turns = parameter.is_speed() || parameter.speed != 0.0;
+  return turns ? vibration::choose_frame(scenario, std::nullopt) : ModeFrame::turning;
+}
+
 /// A search over the range.
 class Search {
  public:
@@ -110,6 +118,7 @@ class Search {
       : scenario_(scenario),
         options_(options),
         parameter_(read_parameter(scenario, options)),
+        frame_(choose_frame(scenario, parameter_)),
         path_([this](double value) { return make_model(value); }, find_resolution(options)) {}
 
   CriticalResult run() {
@@ -136,11 +145,14 @@ class Search {
  private:
   std::unique_ptr<steady::SteadyModel> make_model(double value) const {
     if (parameter_.is_speed())
-      return steady::make_steady_model(scenario_, {value == 0.0 ? kAlmostRest : value});
+      return steady::make_steady_model(
+          scenario_, {.speed = value == 0.0 ? kAlmostRest : value, .is_axial = is_outside()});
     Scenario loaded = scenario_;
     vibration::multiply_load(parameter_.load, value, loaded);
-    return steady::make_steady_model(loaded, {parameter_.speed});
+    return steady::make_steady_model(loaded, {.speed = parameter_.speed, .is_axial = is_outside()});
   }
+
+  bool is_outside() const { return frame_ == ModeFrame::fixed; }
 
   double point(int k) const {
     if (k + 1 == options_.points) return options_.to;
@@ -156,6 +168,12 @@ class Search {
 
   Sample look(PathPlace place) const {
     steady::LinearModel linear = steady::linearize(place->equilibrium, *place->model);
+    if (is_outside()) {
+      const Stability stability = vibration::assess_stability(
+          vibration::see_from_outside({*place->model, place->equilibrium, linear}), count());
+      return {std::move(place), std::move(linear), stability};
+    }
+    if (linear.support) steady::stand_on(*linear.support, linear);
     const Stability stability =
         vibration::assess_stability(linear, place->model->azimuths(), count());
     return {std::move(place), std::move(linear), stability};
@@ -163,7 +181,7 @@ class Search {
 
   ModesResult describe(const Sample& sample) const {
     ModesResult modes =
-        vibration::make_modes(sample.linear, sample.place->equilibrium, ModeFrame::turning,
+        vibration::make_modes(sample.linear, sample.place->equilibrium, frame_,
                               {options_.count.value_or(0), count()}, *sample.place->model);
     if (parameter_.is_speed()) modes.equilibrium.speed = sample.value();
     steady::add_warnings(scenario_, modes.equilibrium);
@@ -351,6 +369,7 @@ class Search {
   const Scenario& scenario_;
   const CriticalOptions& options_;
   Parameter parameter_;
+  ModeFrame frame_;
   EquilibriumPath path_;
   CriticalResult result_;
   double softest_ = 0.0;  ///< largest least stiffness so far, as Stability::softest

@@ -61,6 +61,18 @@ LinearModel without_velocities(LinearModel linear) {
   return linear;
 }
 
+/// Finds the root that grows most.
+void find_growth(const std::vector<Root>& roots, Stability& found) {
+  const double slowest = find_slowest(roots);
+  for (const Root& root : roots) {
+    if (!(root.s.real() > 0.0) || is_too_fast(root, slowest)) continue;
+    const double growth = root.s.real() / std::abs(root.s);
+    if (growth <= found.growth) continue;
+    found.growth = growth;
+    found.growing = root.s;
+  }
+}
+
 }  // namespace
 
 Stability assess_stability(const LinearModel& linear, const std::vector<double>& azimuths,
@@ -78,16 +90,16 @@ Stability assess_stability(const LinearModel& linear, const std::vector<double>&
     found.stiffest = std::max(found.stiffest, square);
     found.softest = found.softest == 0.0 ? square : std::min(found.softest, square);
   }
-  const std::vector<Root> roots =
-      find_lowest(linear, azimuths, [count](Index size) { return std::min<Index>(count, size); });
-  const double slowest = find_slowest(roots);
-  for (const Root& root : roots) {
-    if (!(root.s.real() > 0.0) || is_too_fast(root, slowest)) continue;
-    const double growth = root.s.real() / std::abs(root.s);
-    if (growth <= found.growth) continue;
-    found.growth = growth;
-    found.growing = root.s;
-  }
+  find_growth(
+      find_lowest(linear, azimuths, [count](Index size) { return std::min<Index>(count, size); }),
+      found);
+  return found;
+}
+
+Stability assess_stability(const FixedFrame& frame, int count) {
+  Stability found;
+  const Index size = frame.start(frame.patterns.size());
+  find_growth(find_fixed_roots(frame, std::min<Index>(count, size)), found);
   return found;
 }
 

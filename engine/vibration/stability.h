@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/steady/linear_model.h"
+#include "engine/vibration/multi_blade.h"
 
 namespace spoke::vibration {
 
@@ -27,5 +28,8 @@ struct Stability {
 /// [rad].
 Stability assess_stability(const steady::LinearModel& linear, const std::vector<double>& azimuths,
                            int count);
+/// Looks at the growth of so many of the lowest roots seen from outside, where what is held and
+/// what is not cannot be told by K: it has forces of inertia, which gyroscopic ones balance.
+Stability assess_stability(const FixedFrame& frame, int count);
 
 }  // namespace spoke::vibration

@@ -228,7 +228,7 @@ std::string make_html(const CriticalResult& result, const CriticalOptions& optio
                       const Scenario& scenario, const std::string& title) {
   const VariedQuantity varied = name_varied(options);
   report::Page page(title,
-                    "Stability over the " + varied.name + ", in the frame that turns with the hub");
+                    "Stability over the " + varied.name + ", " + describe(result.states[0].frame));
   page.widen();
   page.add_note(describe_critical(result, options) + ".",
                 result.critical ? report::Tone::bad : report::Tone::plain);

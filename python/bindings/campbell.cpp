@@ -79,7 +79,7 @@ py::list crossings_of(const Campbell& campbell) {
 
 Campbell solve_diagram(const Scenario& scenario, std::vector<double> speeds,
                        std::optional<int> count, int harmonics, int threads,
-                       const std::string& frame) {
+                       const std::optional<std::string>& frame) {
   CampbellOptions options{.speeds = std::move(speeds),
                           .count = count,
                           .frame = frame_of(frame),

@@ -117,13 +117,14 @@ void bind_mode(py::module_& module) {
 
 }  // namespace
 
-ModeFrame frame_of(const std::string& name) {
+std::optional<ModeFrame> frame_of(const std::optional<std::string>& name) {
+  if (!name) return std::nullopt;
   static const std::map<std::string, ModeFrame> frames = {{"turning", ModeFrame::turning},
                                                           {"fixed", ModeFrame::fixed},
                                                           {"floquet", ModeFrame::floquet}};
-  const auto found = frames.find(name);
+  const auto found = frames.find(*name);
   if (found == frames.end())
-    throw InputError("frame \"" + name + "\", expected \"turning\", \"fixed\" or \"floquet\"");
+    throw InputError("frame \"" + *name + "\", expected \"turning\", \"fixed\" or \"floquet\"");
   return found->second;
 }
 
@@ -166,7 +167,7 @@ void bind_modes(py::module_& module) {
   module.def(
       "_solve_modes",
       [](const Scenario& scenario, std::optional<double> speed, std::optional<int> count,
-         const std::string& frame) {
+         const std::optional<std::string>& frame) {
         return std::make_shared<Modes>(solve_modes(scenario, {{speed}, count, frame_of(frame)}),
                                        scenario);
       },

@@ -31,6 +31,6 @@ struct OneMode {
 };
 
 /// Returns the frame of this name: "turning", "fixed" or "floquet". Throws ValueError.
-ModeFrame frame_of(const std::string& name);
+std::optional<ModeFrame> frame_of(const std::optional<std::string>& name);
 
 }  // namespace spoke::python

@@ -24,7 +24,7 @@ def modes(scenario, *, set=None, speed=None, count=None, frame=None):
         as many as there are.
     frame: from where vibrations are seen, "turning" with the hub; "fixed": from outside, of three
         or more equal blades; "floquet": of any blades, whose modes then have harmonics. In these
-        two count is of the whole model.
+        two count is of the whole model. None: "fixed" on a support, else "turning".
 
     Raises like equilibrium(), but for what nothing holds: that is a mode of frequency zero; and
     InputError if the frame is not for such a model.
@@ -32,8 +32,7 @@ def modes(scenario, *, set=None, speed=None, count=None, frame=None):
     return _spoke._solve_modes(read_scenario(scenario, set), speed, count, frame)
 
 
-def campbell(scenario, speeds, *, set=None, count=None, harmonics=6, threads=None,
-             frame=None):
+def campbell(scenario, speeds, *, set=None, count=None, harmonics=6, threads=None, frame=None):
     """Follows modes over speeds of rotation: a Campbell diagram.
 
     scenario, set: as of read_scenario().
