@@ -141,8 +141,9 @@ void require_periodic(const PeriodicSystem& system) {
       size = std::max(size, size_of(i, system));
     whose = " of each blade";
   }
-  if (size > kMostPeriodic)
-    throw InputError("the frame \"floquet\" expects at most " + std::to_string(kMostPeriodic) +
+  const Index most = system.hub > 6 ? kMostOnSupport : kMostPeriodic;
+  if (size > most)
+    throw InputError("the frame \"floquet\" expects at most " + std::to_string(most) +
                      " coordinates" + whose + ", got " + std::to_string(size));
 }
 

@@ -12,6 +12,9 @@ namespace spoke::vibration {
 /// Largest number of coordinates, of each subsystem where the hub has none: full matrices of it are
 /// kept for each harmonic.
 constexpr Eigen::Index kMostPeriodic = 600;
+/// Largest number where the hub has more than the six components of its own: a support's are not
+/// reduced well, and take minutes beyond.
+constexpr Eigen::Index kMostOnSupport = 100;
 
 /// Throws InputError if the hub does not turn, or if there are more than kMostPeriodic coordinates.
 void require_periodic(const PeriodicSystem& system);
