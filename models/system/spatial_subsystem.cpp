@@ -319,8 +319,9 @@ class SubsystemMaker {
   std::vector<spatial::MassProperties> calc_masses() const {
     std::vector<spatial::MassProperties> masses;
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j)
-      masses.push_back((body(j).is_hub ? rotor_ : calc_mass_properties(tree_, body(j)))
-                           .seen_from_outside(placements_[j]));
+      masses.push_back(
+          (body(j).is_hub && !is_alone_ ? rotor_ : calc_mass_properties(tree_, body(j)))
+              .seen_from_outside(placements_[j]));
     return masses;
   }
 

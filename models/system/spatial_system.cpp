@@ -265,15 +265,11 @@ System<Space> make_support_alone(const spatial::Model& model,
   system.gravity_ramp = model.gravity_ramp;
   system.damping = model.damping;
   SharedBodies bodies(model.damping, control);
-  const std::span rotor(trees.data(), trees.size() - 1);
   const MachineCentre machine =
       find_machine_centre(model, trees, !is_one_with_fuselage(model, trees));
-  system.subsystems.push_back(
-      make_subsystem(tree,
-                     {.centre = machine.from_base,
-                      .rotor = calc_rotor_mass(model.hub, rotor, true),
-                      .is_alone = true},
-                     make_body_loads(model, tree, trees.size() - 1), bodies));
+  system.subsystems.push_back(make_subsystem(tree, {.centre = machine.from_base, .is_alone = true},
+                                             make_body_loads(model, tree, trees.size() - 1),
+                                             bodies));
   for (const Anchor& anchor : model.anchors)
     system.anchors.push_back(make_anchor(anchor, space::Rotation{}));
   return system;

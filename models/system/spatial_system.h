@@ -28,8 +28,7 @@ struct Ballast {
 };
 
 /// Builds the constants of the support of a model alone, as one subsystem on its base: `ballast` is
-/// its hub, and its axle does not turn. Bodies carry the tension of the rotor's mass, but no loads
-/// of the rotor act. `trees`: those of build_trees() of the model.
+/// its hub, and its axle does not turn. Nothing of the rotor acts on it. `trees`: those of build_trees() of the model.
 System<Space> make_support_alone(const spatial::Model& model,
                                  const std::vector<spatial::Tree>& trees, const Ballast& ballast,
                                  const solid::Control& control = {});

@@ -98,7 +98,8 @@ const char* const kModesText =
 linearised model, real ones at rest without damping, else complex ones. With --frame fixed as seen
 from outside, in multi-blade coordinates: collective, progressive and regressive modes of 3 or more
 equal blades; with --frame floquet of any blades, by harmonics, about the motion that gravity across
-the axis causes. See docs/modes.md.
+the axis causes. A rotor on a support is seen from outside unless --frame says otherwise, with modes
+like "tower fore-aft". See docs/modes.md.
 
 Output files, in the folder of --out:
   modes.html  the chosen mode as a moving picture

@@ -165,7 +165,8 @@ std::string make_json(const ModesResult& result) {
 std::string make_csv(const ModesResult& result) {
   std::string text =
       "of,mode,frequency_Hz,frequency_rad_per_s,damping_ratio,eigenvalue_real_per_s,grows,"
-      "share_flap,share_lag,share_axial,share_torsion,share_hub,share_support";
+      "share_flap,share_lag,share_axial,share_torsion,share_hub";
+  if (result.equilibrium.hub) text += ",share_support";
   for (std::string body : result.bodies) {
     std::replace(body.begin(), body.end(), ',', ';');
     text += ',' + csv_cell("share_of " + body);
@@ -178,8 +179,9 @@ std::string make_csv(const ModesResult& result) {
                         hertz(mode.frequency), mode.frequency, damping_of(mode),
                         plain_zero(mode.eigenvalue.real()), mode.grows() ? 1 : 0);
     const ModeEnergy& energy = mode.energy;
-    for (const double share : {energy.flap, energy.lag, energy.axial, energy.torsion, energy.hub, energy.support})
+    for (const double share : {energy.flap, energy.lag, energy.axial, energy.torsion, energy.hub})
       text += share_cell(share);
+    if (result.equilibrium.hub) text += share_cell(energy.support);
     for (const double share : energy.bodies) text += share_cell(share);
     if (result.frame == ModeFrame::floquet)
       for (int k = -kHarmonics; k <= kHarmonics; ++k) text += share_cell(share_of(k, mode));
