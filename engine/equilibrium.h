@@ -81,13 +81,13 @@ struct BladeEquilibrium {
 
 /// Where the hub of a rotor on a support is at azimuth zero, in the frame of what that stands on.
 struct HubPlace {
-  Eigen::Vector3d position{0.0, 0.0, 0.0};                 ///< of its origin [m]
+  Eigen::Vector3d position{0.0, 0.0, 0.0};             ///< of its origin [m]
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< columns; z is the axis of rotation
 };
 
 /// A model in equilibrium.
 struct EquilibriumResult {
-  double speed = 0.0;                    ///< of the hub [rad/s]
+  double speed = 0.0;  ///< of the hub [rad/s]
   /// And behind them other subsystems; a support is the last, and its vectors are in the frame of
   /// what it stands on.
   std::vector<BladeEquilibrium> blades;
@@ -106,9 +106,10 @@ struct EquilibriumResult {
 /// with a line search and, where needed, load steps. Loads, motors and prescribed joints have the
 /// values with which their curves end, pitch that follows the azimuth its mean. Where the hub
 /// turns, gravity and loads of constant direction count with their part along the axis, since their
-/// other parts turn against the model; on a support their mean acts through the hub. Throws InputError if the scenario is not valid, if the speed
-/// is not finite, if the drive is a torque and no speed is given, or if nothing holds the hub or a
-/// joint; DivergenceError, naming body and coordinate, if no equilibrium is found.
+/// other parts turn against the model; on a support their mean acts through the hub. Throws
+/// InputError if the scenario is not valid, if the speed is not finite, if the drive is a torque
+/// and no speed is given, or if nothing holds the hub or a joint; DivergenceError, naming body and
+/// coordinate, if no equilibrium is found.
 SPOKE_EXPORT EquilibriumResult solve_equilibrium(const Scenario& scenario,
                                                  const SteadyState& state = {});
 /// Finds the equilibrium of the model of a simulation, with the drive in force; loads of the user's

@@ -12,7 +12,6 @@
 #include "engine/steady/close_loops.h"
 #include "engine/steady/derivatives.h"
 #include "engine/steady/free_motion.h"
-#include "engine/steady/supported_model.h"
 #include "engine/support/dense.h"
 #include "models/error.h"
 
@@ -283,17 +282,6 @@ void add_wrench(SteadyModel& model, Equilibrium& result) {
   }
 }
 
-/// Throws if a torque acts on a rotor whose axle turns freely.
-void require_free_axle(const SupportedModel& model, const Equilibrium& equilibrium) {
-  if (!model.parts().turns_freely || model.has_torque_drive()) return;
-  const double left = std::abs(equilibrium.wrench[5]);
-  if (left <= 1e-6 * equilibrium.force_scale + 1e-9) return;
-  std::ostringstream text;
-  text << "the axle turns freely, and " << left << " N m act on the rotor at " << model.speed()
-       << " rad/s: it has no steady motion there, expected forces that balance";
-  throw InputError(text.str());
-}
-
 }  // namespace
 
 SubsystemState make_state(const Eigen::VectorXd& q) { return make_state(q, VectorXd()); }
@@ -306,7 +294,6 @@ SubsystemState make_state(const Equilibrium& equilibrium, std::size_t subsystem)
 }
 
 Equilibrium find_equilibrium(SteadyModel& model) {
-  if (SupportedModel* machine = model.on_support()) return find_on_support(*machine);
   Equilibrium result = make_empty(model);
   for (std::size_t i = 0; i < model.subsystems(); ++i) {
     const std::size_t first = result.alike[i];
@@ -318,8 +305,6 @@ Equilibrium find_equilibrium(SteadyModel& model) {
 
 std::optional<Equilibrium> continue_equilibrium(const Equilibrium& at, const SteadyModel& before,
                                                 SteadyModel& model) {
-  if (SupportedModel* machine = model.on_support())
-    return continue_on_support(at, *before.on_support(), *machine);
   Equilibrium result = make_empty(model);
   for (std::size_t i = 0; i < model.subsystems(); ++i) {
     const std::size_t first = result.alike[i];
@@ -336,11 +321,7 @@ void require_held(const Equilibrium& equilibrium) {
                      ": nothing holds it, expected a spring, rotation, or gravity that does");
 }
 
-void require_steady_hub(SteadyModel& model, const Equilibrium& equilibrium) {
-  if (SupportedModel* machine = model.on_support()) {
-    require_free_axle(*machine, equilibrium);
-    return require_steady_hub(machine->support(), split(equilibrium, *machine).support);
-  }
+void require_steady_hub(const SteadyModel& model, const Equilibrium& equilibrium) {
   for (const int c : model.free_components()) {
     if (c == model.twist_size() - 1 && model.has_torque_drive()) continue;
     const double left = std::abs(equilibrium.wrench[c]);

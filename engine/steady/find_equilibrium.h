@@ -40,10 +40,10 @@ std::optional<Equilibrium> continue_equilibrium(const Equilibrium& at, const Ste
 /// Throws InputError if the equilibrium has a loose coordinate.
 void require_held(const Equilibrium& equilibrium);
 
-/// Throws InputError unless the forces on the free components of the hub, of a support its base and
-/// its axle, are in balance: otherwise there is no steady rotation to vibrate about. A torque drive
+/// Throws InputError unless the forces on the free components of the hub are in balance: otherwise
+/// there is no steady rotation to vibrate about. A torque drive
 /// gives whatever torque is needed.
-void require_steady_hub(SteadyModel& model, const Equilibrium& equilibrium);
+void require_steady_hub(const SteadyModel& model, const Equilibrium& equilibrium);
 
 /// Returns the state of a subsystem at rest at q.
 SubsystemState make_state(const Eigen::VectorXd& q);

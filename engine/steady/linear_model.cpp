@@ -12,8 +12,6 @@
 #include "engine/steady/derivatives.h"
 #include "engine/steady/differences.h"
 #include "engine/steady/free_motion.h"
-#include "engine/steady/linear_support.h"
-#include "engine/steady/supported_model.h"
 #include "models/error.h"
 
 namespace spoke::steady {
@@ -262,7 +260,6 @@ Eigen::VectorXcd LinearModel::motion_of(std::size_t i, const Eigen::VectorXcd& y
 }
 
 LinearModel linearize(const Equilibrium& equilibrium, SteadyModel& model, HubFreedom freedom) {
-  if (SupportedModel* machine = model.on_support()) return linearize_on(*machine, equilibrium);
   assert(equilibrium.q.size() == model.subsystems() &&
          equilibrium.alike.size() == model.subsystems());
   const std::vector<int> free = list_components(model, freedom);

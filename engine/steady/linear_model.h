@@ -104,13 +104,8 @@ std::vector<int> list_components(const SteadyModel& model, HubFreedom freedom);
 /// there; K and D of deformations are the model's own constants; the rest of K and C are
 /// differences of the forces, see calc_derivatives(). Of loops only the motions count that leave
 /// their rigid rows closed, with the forces of these rows held. Throws InputError if loops hold the
-/// hub. A rotor on a support is linearised with all components of its hub, see stand_on().
+/// hub.
 LinearModel linearize(const Equilibrium& equilibrium, SteadyModel& model,
                       HubFreedom freedom = HubFreedom::described);
-
-/// Puts a rotor on its support: coordinates of the hub become z, and its matrices those of the
-/// support + J^T (those of the rotor) J. The rotor's must be along axes that stand: those of a
-/// rotor at rest are.
-void stand_on(const LinearSupport& support, LinearModel& rotor);
 
 }  // namespace spoke::steady

@@ -118,8 +118,6 @@ void add_subsystem(const LinearSupport& support, LinearModel& all) {
   all.couplings.push_back({columns, columns, columns, rows, rows, rows, support.motion});
 }
 
-}  // namespace
-
 LinearModel linearize_on(SupportedModel& model, const Equilibrium& equilibrium) {
   const SupportedEquilibrium parts = split(equilibrium, model);
   LinearModel rotor = linearize(parts.rotor, model.rotor(), HubFreedom::all);
@@ -135,6 +133,13 @@ LinearModel linearize_on(SupportedModel& model, const Equilibrium& equilibrium) 
   add_subsystem(support, rotor);
   rotor.support = std::move(support);
   return rotor;
+}
+
+}  // namespace
+
+LinearModel linearize_machine(const Equilibrium& equilibrium, SteadyModel& model) {
+  SupportedModel* machine = model.on_support();
+  return machine ? linearize_on(*machine, equilibrium) : linearize(equilibrium, model);
 }
 
 void stand_on(const LinearSupport& support, LinearModel& rotor) {

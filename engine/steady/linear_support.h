@@ -7,7 +7,13 @@
 
 namespace spoke::steady {
 
-/// As linearize(): the rotor with all components of its hub, and LinearModel::support.
-LinearModel linearize_on(SupportedModel& model, const Equilibrium& equilibrium);
+/// As linearize(); of a rotor on a support the rotor with all components of its hub, and
+/// LinearModel::support, see stand_on().
+LinearModel linearize_machine(const Equilibrium& equilibrium, SteadyModel& model);
+
+/// Puts a rotor on its support: coordinates of the hub become z, and its matrices those of the
+/// support + J^T (those of the rotor) J. The rotor's must be along axes that stand: those of a
+/// rotor at rest are.
+void stand_on(const LinearSupport& support, LinearModel& rotor);
 
 }  // namespace spoke::steady

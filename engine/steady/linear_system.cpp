@@ -5,10 +5,12 @@
 #include "engine/linearize.h"
 #include "engine/steady/describe_equilibrium.h"
 #include "engine/steady/linear_model.h"
+#include "engine/steady/linear_support.h"
 #include "engine/steady/load_effects.h"
 #include "engine/steady/output_derivatives.h"
 #include "engine/steady/steady_speed.h"
 #include "engine/steady/steady_warnings.h"
+#include "engine/steady/supported_model.h"
 #include "engine/support/dense.h"
 #include "models/error.h"
 #include "models/reader/scenario_check.h"
@@ -70,7 +72,7 @@ MatrixXd to_columns(const std::vector<steady::LoadEffect>& effects,
 
 /// Linearises a model; a rotor on a support, which must be at rest, on it.
 steady::LinearModel linearize_standing(const steady::Equilibrium& equilibrium, SteadyModel& model) {
-  steady::LinearModel linear = linearize(equilibrium, model);
+  steady::LinearModel linear = linearize_machine(equilibrium, model);
   if (!linear.support) return linear;
   if (model.speed() != 0.0)
     throw InputError(
@@ -360,8 +362,8 @@ LinearSystem solve_linear_system(const Scenario& scenario, const SteadyState& st
   const double speed = steady::find_steady_speed(scenario, state.speed);
   const std::unique_ptr<SteadyModel> model =
       steady::make_steady_model(scenario, {.speed = speed, .has_outputs = true});
-  const steady::Equilibrium equilibrium = steady::find_equilibrium(*model);
-  steady::require_steady_hub(*model, equilibrium);
+  const steady::Equilibrium equilibrium = steady::find_machine_equilibrium(*model);
+  steady::require_steady_machine(*model, equilibrium);
   LinearSystem system = Assembly(scenario, equilibrium, *model).make();
   system.equilibrium = describe(equilibrium, *model);
   steady::add_warnings(scenario, system.equilibrium);

@@ -14,13 +14,14 @@ namespace spoke::steady {
 std::vector<Eigen::VectorXd> find_start(const Scenario& scenario) {
   const std::unique_ptr<SteadyModel> model =
       make_steady_model(scenario, {start_speed(scenario), Instant::start});
-  const Equilibrium found = find_equilibrium(*model);
+  const Equilibrium found = find_machine_equilibrium(*model);
   require_held(found);
-  if (model->is_hub_free() || model->on_support()) require_steady_hub(*model, found);
+  if (model->is_hub_free() || model->on_support()) require_steady_machine(*model, found);
   std::vector<Eigen::VectorXd> q;
   for (std::size_t i = 0; i < model->subsystems(); ++i) q.push_back(model->absolute(i, found.q[i]));
   // A rotor begins at azimuth zero, the last coordinate of its support.
-  if (const SupportedModel* machine = model->on_support(); machine && machine->parts().turns_freely) {
+  if (const SupportedModel* machine = model->on_support();
+      machine && machine->parts().turns_freely) {
     Eigen::VectorXd& support = q.back();
     support.conservativeResize(support.size() + 1);
     support[support.size() - 1] = 0.0;

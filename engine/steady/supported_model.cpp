@@ -167,7 +167,16 @@ Equilibrium iterate(SupportedEquilibrium parts, SupportedModel& model) {
                         {.subsystem = model.name_of(model.support_index()), .quantity = "axle"});
 }
 
-}  // namespace
+/// Throws if a torque acts on a rotor whose axle turns freely.
+void require_free_axle(const SupportedModel& model, const Equilibrium& equilibrium) {
+  if (!model.parts().turns_freely || model.has_torque_drive()) return;
+  const double left = std::abs(equilibrium.wrench[5]);
+  if (left <= 1e-6 * equilibrium.force_scale + 1e-9) return;
+  std::ostringstream text;
+  text << "the axle turns freely, and " << left << " N m act on the rotor at " << model.speed()
+       << " rad/s: it has no steady motion there, expected forces that balance";
+  throw InputError(text.str());
+}
 
 Equilibrium find_on_support(SupportedModel& model) {
   SupportedEquilibrium parts;
@@ -186,6 +195,28 @@ std::optional<Equilibrium> continue_on_support(const Equilibrium& at, const Supp
   } catch (const DivergenceError&) {
     return std::nullopt;
   }
+}
+
+}  // namespace
+
+Equilibrium find_machine_equilibrium(SteadyModel& model) {
+  SupportedModel* machine = model.on_support();
+  return machine ? find_on_support(*machine) : find_equilibrium(model);
+}
+
+std::optional<Equilibrium> continue_machine_equilibrium(const Equilibrium& at,
+                                                        const SteadyModel& before,
+                                                        SteadyModel& model) {
+  SupportedModel* machine = model.on_support();
+  return machine ? continue_on_support(at, *before.on_support(), *machine)
+                 : continue_equilibrium(at, before, model);
+}
+
+void require_steady_machine(SteadyModel& model, const Equilibrium& equilibrium) {
+  SupportedModel* machine = model.on_support();
+  if (!machine) return require_steady_hub(model, equilibrium);
+  require_free_axle(*machine, equilibrium);
+  require_steady_hub(machine->support(), split(equilibrium, *machine).support);
 }
 
 }  // namespace spoke::steady

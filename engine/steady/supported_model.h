@@ -149,10 +149,14 @@ struct SupportedEquilibrium {
 /// Takes the equilibrium of a supported model apart; wrenches are those of each model.
 SupportedEquilibrium split(const Equilibrium& all, const SupportedModel& model);
 
-/// As find_equilibrium(): rotor and support by turns, until the axes of the hub no longer change.
-Equilibrium find_on_support(SupportedModel& model);
+/// As find_equilibrium(); of a rotor on a support both by turns, until the axes of the hub no
+/// longer change.
+Equilibrium find_machine_equilibrium(SteadyModel& model);
 /// As continue_equilibrium().
-std::optional<Equilibrium> continue_on_support(const Equilibrium& at, const SupportedModel& before,
-                                               SupportedModel& model);
+std::optional<Equilibrium> continue_machine_equilibrium(const Equilibrium& at,
+                                                        const SteadyModel& before,
+                                                        SteadyModel& model);
+/// As require_steady_hub(); of a rotor on a support for the base and the axle.
+void require_steady_machine(SteadyModel& model, const Equilibrium& equilibrium);
 
 }  // namespace spoke::steady

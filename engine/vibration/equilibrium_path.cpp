@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "engine/steady/supported_model.h"
+
 namespace spoke::vibration {
 namespace {
 
@@ -34,17 +36,17 @@ double calc_change(const PathState& from, const PathState& to) {
 
 PathPlace EquilibriumPath::begin(double value) const {
   std::unique_ptr<steady::SteadyModel> model = make_(value);
-  steady::Equilibrium found = steady::find_equilibrium(*model);
-  steady::require_steady_hub(*model, found);
+  steady::Equilibrium found = steady::find_machine_equilibrium(*model);
+  steady::require_steady_machine(*model, found);
   return std::make_shared<PathState>(PathState{value, std::move(model), std::move(found)});
 }
 
 PathPlace EquilibriumPath::follow(const PathState& from, double value) const {
   std::unique_ptr<steady::SteadyModel> model = make_(value);
   std::optional<steady::Equilibrium> found =
-      steady::continue_equilibrium(from.equilibrium, *from.model, *model);
+      steady::continue_machine_equilibrium(from.equilibrium, *from.model, *model);
   if (!found) return nullptr;
-  steady::require_steady_hub(*model, *found);
+  steady::require_steady_machine(*model, *found);
   return std::make_shared<PathState>(PathState{value, std::move(model), std::move(*found)});
 }
 

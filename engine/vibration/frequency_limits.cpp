@@ -13,6 +13,7 @@
 #include "engine/steady/close_loops.h"
 #include "engine/steady/find_equilibrium.h"
 #include "engine/steady/linear_model.h"
+#include "engine/steady/linear_support.h"
 #include "engine/vibration/coupled_roots.h"
 #include "engine/vibration/eigenvalues.h"
 #include "engine/vibration/extreme_root.h"
@@ -74,7 +75,11 @@ std::vector<LinearModel> linearize_parts(const Scenario& scenario, double speed,
     start.multipliers.emplace_back();
     model->settle(i, start.q.back());
   }
-  return take_apart(steady::linearize(start, *model), model->azimuths());
+  start.wrench = steady::HubVector::Zero(model->twist_size());
+  LinearModel linear = steady::linearize_machine(start, *model);
+  // What turns is seen as it stands: that moves frequencies by the speed at most.
+  if (linear.support) steady::stand_on(*linear.support, linear);
+  return take_apart(linear, model->azimuths());
 }
 
 /// Returns the root below which motions are round-off: they do not change within the whole

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/steady/linear_support.h"
 #include "models/error.h"
 
 namespace spoke::vibration {

@@ -13,6 +13,7 @@
 
 #include "engine/critical.h"
 #include "engine/steady/linear_model.h"
+#include "engine/steady/linear_support.h"
 #include "engine/steady/steady_speed.h"
 #include "engine/steady/steady_warnings.h"
 #include "engine/vibration/equilibrium_path.h"
@@ -167,7 +168,7 @@ class Search {
   int count() const { return options_.count.value_or(kModes) + kSpareModes; }
 
   Sample look(PathPlace place) const {
-    steady::LinearModel linear = steady::linearize(place->equilibrium, *place->model);
+    steady::LinearModel linear = steady::linearize_machine(place->equilibrium, *place->model);
     if (is_outside()) {
       const Stability stability = vibration::assess_stability(
           vibration::see_from_outside({*place->model, place->equilibrium, linear}), count());

@@ -9,8 +9,10 @@
 #include "engine/modes.h"
 #include "engine/steady/describe_equilibrium.h"
 #include "engine/steady/linear_model.h"
+#include "engine/steady/linear_support.h"
 #include "engine/steady/steady_speed.h"
 #include "engine/steady/steady_warnings.h"
+#include "engine/steady/supported_model.h"
 #include "engine/vibration/coupled_roots.h"
 #include "engine/vibration/equal_roots.h"
 #include "engine/vibration/fixed_modes.h"
@@ -270,9 +272,9 @@ ModesResult vibration::solve_modes(const Scenario& scenario, const SteadyState& 
   const double speed = steady::find_steady_speed(scenario, state.speed);
   const std::unique_ptr<SteadyModel> model = steady::make_steady_model(
       scenario, {.speed = speed, .is_axial = frame != ModeFrame::turning});
-  const Equilibrium equilibrium = steady::find_equilibrium(*model);
-  steady::require_steady_hub(*model, equilibrium);
-  LinearModel linear = steady::linearize(equilibrium, *model);
+  const Equilibrium equilibrium = steady::find_machine_equilibrium(*model);
+  steady::require_steady_machine(*model, equilibrium);
+  LinearModel linear = steady::linearize_machine(equilibrium, *model);
   if (linear.support && frame == ModeFrame::turning) {
     if (speed != 0.0)
       throw InputError(

@@ -28,7 +28,8 @@ struct Ballast {
 };
 
 /// Builds the constants of the support of a model alone, as one subsystem on its base: `ballast` is
-/// its hub, and its axle does not turn. Nothing of the rotor acts on it. `trees`: those of build_trees() of the model.
+/// its hub, and its axle does not turn. Nothing of the rotor acts on it. `trees`: those of
+/// build_trees() of the model.
 System<Space> make_support_alone(const spatial::Model& model,
                                  const std::vector<spatial::Tree>& trees, const Ballast& ballast,
                                  const solid::Control& control = {});

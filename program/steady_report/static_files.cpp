@@ -222,14 +222,15 @@ Eigen::Vector3d rotation_of(const HubPlace& hub) {
 
 std::vector<report::Fact> make_facts(const EquilibriumResult& result) {
   const RootScale scale = calc_root_scale(result);
-  std::vector<report::Fact> facts = {{"speed", fmt::format("{:.6g} rad/s", result.speed)},
-          {"hub force", vector_text(result.hub_force, scale.force) + " N, of support and drive"},
-          {"hub moment", vector_text(result.hub_moment, scale.moment) + " N m"},
-          {"largest bending", bending_text(result)},
-          {"found by", fmt::format("Newton's method, {} iterations in {} load step{}, last change "
-                                   "{:.1e}",
-                                   result.iterations, result.load_steps,
-                                   result.load_steps == 1 ? "" : "s", result.last_change)}};
+  std::vector<report::Fact> facts = {
+      {"speed", fmt::format("{:.6g} rad/s", result.speed)},
+      {"hub force", vector_text(result.hub_force, scale.force) + " N, of support and drive"},
+      {"hub moment", vector_text(result.hub_moment, scale.moment) + " N m"},
+      {"largest bending", bending_text(result)},
+      {"found by", fmt::format("Newton's method, {} iterations in {} load step{}, last change "
+                               "{:.1e}",
+                               result.iterations, result.load_steps,
+                               result.load_steps == 1 ? "" : "s", result.last_change)}};
   if (!result.hub) return facts;
   const double size = result.hub->position.norm();
   facts.insert(facts.begin() + 1,
@@ -244,13 +245,13 @@ std::string make_json(const EquilibriumResult& result) {
   Json warnings = Json::array();
   for (const Warning& warning : result.warnings) warnings.push_back(warning.text);
   Json json = {{"speed_rad_per_s", result.speed},
-                     {"hub_force_N", vector_json(result.hub_force)},
-                     {"hub_moment_N_m", vector_json(result.hub_moment)},
-                     {"iterations", result.iterations},
-                     {"load_steps", result.load_steps},
-                     {"last_change", result.last_change},
-                     {"warnings", warnings},
-                     {"blades", blades}};
+               {"hub_force_N", vector_json(result.hub_force)},
+               {"hub_moment_N_m", vector_json(result.hub_moment)},
+               {"iterations", result.iterations},
+               {"load_steps", result.load_steps},
+               {"last_change", result.last_change},
+               {"warnings", warnings},
+               {"blades", blades}};
   if (result.hub)
     json.set("hub", {{"position_m", vector_json(result.hub->position)},
                      {"rotation_rad", vector_json(rotation_of(*result.hub))}});
