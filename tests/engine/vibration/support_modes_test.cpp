@@ -164,6 +164,72 @@ TEST_CASE(
   CHECK(hertz_of("flap 1 collective") == Approx(0.6993).epsilon(0.02));
 }
 
+/// Returns the frequencies in sampled motions, one in each column, by the shift invariance of the
+/// space that their delays span [rad/s].
+std::vector<double> find_frequencies(const MatrixXd& samples, double interval, int rank) {
+  constexpr Eigen::Index kDelays = 240;
+  const Eigen::Index windows = samples.rows() - kDelays + 1;
+  MatrixXd delays(kDelays, windows * samples.cols());
+  for (Eigen::Index c = 0; c < samples.cols(); ++c)
+    for (Eigen::Index k = 0; k < windows; ++k)
+      delays.col(c * windows + k) = samples.col(c).segment(k, kDelays);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> space(delays * delays.transpose());
+  const MatrixXd basis = space.eigenvectors().rightCols(rank);
+  const MatrixXd shift =
+      basis.topRows(kDelays - 1).colPivHouseholderQr().solve(basis.bottomRows(kDelays - 1));
+  const Eigen::VectorXcd values = Eigen::EigenSolver<MatrixXd>(shift).eigenvalues();
+  std::vector<double> frequencies;
+  for (const Complex z : values) frequencies.push_back(std::log(z).imag() / interval);
+  return frequencies;
+}
+
+/// The turbine without weight, pushed at the top of its tower.
+Scenario make_pushed_turbine() {
+  Scenario scenario = read_model("nrel_5mw_turbine.toml");
+  spatial::Model& model = *scenario.space;
+  model.gravity.setZero();
+  model.hub.drive = ConstantSpeed{1.267};
+  model.distributed_loads.clear();
+  spatial::PointLoad push;
+  push.place.subsystem = "support";
+  push.place.body = "tower";
+  push.frame = spatial::LoadFrame::inertial;
+  push.force = {2.0e4, 1.5e4, 0.0};
+  push.factor = Curve({0.0, 1.0, 2.0}, {0.0, 1.0, 0.0});
+  model.loads = {push};
+  scenario.initial.state = InitialState::equilibrium;
+  scenario.integration.step = 0.005;
+  scenario.integration.duration = 102.5;
+  return scenario;
+}
+
+TEST_CASE("support modes: multi-blade frequencies are those of a time history") {
+  const Scenario scenario = make_pushed_turbine();
+  constexpr double kInterval = 0.1, kBegin = 2.5;
+  constexpr Eigen::Index kSamples = 1000;
+  MatrixXd samples(kSamples, 4);
+  Simulation simulation(scenario);
+  const std::vector<std::string>& names = simulation.sensor_names();
+  const auto top = std::find(names.begin(), names.end(), "support.tower_top.x");
+  REQUIRE(top != names.end());
+  const auto first = static_cast<std::size_t>(top - names.begin());
+  for (Eigen::Index k = 0; k < kSamples; ++k) {
+    simulation.run_until(kBegin + kInterval * static_cast<double>(k));
+    const auto values = simulation.sensor_values();
+    const auto at = [&](std::size_t c) { return values[first + c]; };
+    samples.row(k) << at(0), at(1), 20.0 * at(3), 20.0 * at(4);
+  }
+  samples.rowwise() -= samples.colwise().mean().eval();
+  const std::vector<double> frequencies = find_frequencies(samples, kInterval, 24);
+  const ModesResult modes = solve_modes(scenario, {.count = 6});
+  for (const Mode& mode : modes.modes) {
+    CAPTURE(mode.name);
+    double nearest = 1e300;
+    for (const double w : frequencies) nearest = std::min(nearest, std::abs(w - mode.frequency));
+    CHECK(nearest < 1e-4 * mode.frequency);
+  }
+}
+
 /// A column with a heavy end: as a support whose rotor is a disc, or as one subsystem.
 std::string column_of(const std::string& table) {
   return "[[" + table +
