@@ -134,8 +134,9 @@ std::unique_ptr<SteadyModel> make_supported(const Scenario& scenario,
   parts.support = [=, sensors = choose_sensors(scenario.sensors, true)](const HubVector& wrench) {
     System<Space> loaded = machine->support;
     load_hub(wrench, machine->ballast, loaded);
-    return make_part(loaded, sensors, machine->support_tree, 0, loops,
-                     {.instant = options.instant, .has_outputs = options.has_outputs});
+    return make_part(
+        loaded, sensors, machine->support_tree, 0, loops,
+        {.instant = options.instant, .has_outputs = options.has_outputs, .is_support = true});
   };
   parts.base = make_rotation(machine->support.hub.orientation).axes;
   parts.ballast = mass_of(machine->ballast);

@@ -139,6 +139,8 @@ struct SteadyOptions {
   /// SteadyModel::move_hub().
   bool is_whole = false;
   bool has_outputs = false;  ///< whether the scenario's sensors are to be read
+  /// Whether it is a support without its rotor: what follows from accelerations is then not known.
+  bool is_support = false;
 };
 
 class SupportedModel;

@@ -75,6 +75,7 @@ SteadySystem<World>::SteadySystem(const SystemMaker<World>& maker,
                                   std::vector<SubsystemNames> names, const SteadyOptions& options)
     : names_(std::move(names)) {
   speed_ = options.speed;
+  is_support_ = options.is_support;
   maker.fill(context_.system);
   const std::vector<std::vector<LoopRowUse>> use = start_loops_of(context_.system, maker.loops);
   hub_ = context_.system.hub;
@@ -157,9 +158,15 @@ void SteadySystem<World>::set_undeformed() {
   }
 }
 
-/// Whether a sensor is constant in steady rotation, as are those whose frames turn with the hub.
+/// Whether a sensor is constant in steady rotation, as are those whose frames turn with the hub; on
+/// a support those of motions, whose frames may stand.
 template <class World>
 bool SteadySystem<World>::is_steady(const SensorColumn& column) const {
+  if (is_support_)
+    return (column.quantity == SensorQuantity::displacement ||
+            column.quantity == SensorQuantity::velocity ||
+            column.quantity == SensorQuantity::loop_opening) &&
+           (column.frame != SensorFrame::inertial || hub_.support == HubSupport::axle);
   const bool is_local =
       is_motion(column.quantity) || column.quantity == SensorQuantity::section_force ||
       column.quantity == SensorQuantity::joint_reaction || is_of_loop(column.quantity);

@@ -109,6 +109,7 @@ class SteadySystem final : public SteadyModel {
   std::vector<SubsystemNames> names_;
   typename World::Hub hub_;  ///< as in the scenario
   std::vector<int> free_;
+  bool is_support_ = false;  ///< see SteadyOptions
   double share_ = 1.0;
   std::optional<HubOffset> moved_;  ///< by move_hub()
   std::optional<SteadyLoads<World>> loads_;

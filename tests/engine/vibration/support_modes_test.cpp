@@ -344,6 +344,38 @@ TEST_CASE("support modes: matrices at rest have the roots of the modes") {
   }
 }
 
+TEST_CASE("support modes: outputs on a support are what its coordinates say") {
+  Scenario scenario = make_tower();
+  Sensor top;
+  top.name = "top";
+  top.subsystem = "support";
+  top.body = "column";
+  top.frame = SensorFrame::inertial;
+  Sensor force = top;
+  force.name = "force";
+  force.quantity = SensorQuantity::section_force;
+  force.frame.reset();
+  force.position = 0.0;
+  scenario.sensors = {top, force};
+  const LinearSystem linear = solve_linear_system(scenario, {0.0});
+  const auto row_of = [&](const std::string& name) {
+    const auto found =
+        std::find_if(linear.outputs.begin(), linear.outputs.end(),
+                     [&](const LinearSignal& signal) { return signal.name == name; });
+    REQUIRE(found != linear.outputs.end());
+    return static_cast<Eigen::Index>(found - linear.outputs.begin());
+  };
+  // The hub is at the column's end, in axes that stand, but as bent as that is.
+  const MatrixXd C(linear.C);
+  for (const std::string axis : {"x", "y"}) {
+    const MatrixXd difference =
+        C.row(row_of("support.top." + axis)) - C.row(row_of("hub / " + axis));
+    CHECK(difference.lpNorm<Eigen::Infinity>() < 0.02);
+  }
+  CHECK(std::find(linear.left_out.begin(), linear.left_out.end(), "support.force.force.x") !=
+        linear.left_out.end());
+}
+
 TEST_CASE("support modes: what has no constant matrices is refused") {
   const Scenario scenario = read_model("ground_resonance.toml");
   CHECK(message_of([&] {
