@@ -55,6 +55,7 @@ struct LinearSupport {
   /// stand.
   Eigen::MatrixXd J{};
   Eigen::MatrixXd M{}, C{}, K{};     ///< of the support alone, on which the steady wrench acts
+  Eigen::MatrixXd rotor_mass{};      ///< of the rotor as a rigid body, along the hub's axes
   Eigen::MatrixXd base{};            ///< by which z moves the base, a twist
   Eigen::MatrixXd motion{};          ///< by which z moves all coordinates of the support
   Eigen::VectorXd step{};            ///< by which each of z was moved [m, rad]

@@ -124,6 +124,7 @@ LinearModel linearize_on(SupportedModel& model, const Equilibrium& equilibrium) 
   const LinearModel own = linearize(parts.support, model.support());
   const Layout z(own, model.parts().turns_freely);
   LinearSupport support;
+  support.rotor_mass = rotor.M;
   set_matrices(z, own, support);
   set_motions(z, own, model.support(), support);
   support.M -= support.J.transpose() * model.parts().ballast * support.J;

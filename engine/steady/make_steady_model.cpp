@@ -75,8 +75,10 @@ std::vector<Sensor> choose_sensors(const std::vector<Sensor>& sensors, bool on_s
   return chosen;
 }
 
-/// Makes one of the models of a machine. `trees`: its own; `blades`: how many of them are blades.
-std::unique_ptr<SteadyModel> make_part(const System<Space>& system, std::vector<Sensor> sensors,
+/// Makes a model of a system, or of a part of a machine. `trees`: its own; `blades`: how many of
+/// them are blades.
+std::unique_ptr<SteadyModel> make_part(const System<Space>& system,
+                                       const std::vector<Sensor>& sensors,
                                        const std::vector<spatial::Tree>& trees, std::size_t blades,
                                        const LoopLimits& loops, const SteadyOptions& options) {
   const auto fill = [&](System<Space>& copy) { copy = system; };
@@ -153,20 +155,11 @@ std::unique_ptr<SteadyModel> make_spatial(const Scenario& scenario, const Steady
   const spatial::Model& model = *scenario.space;
   if (model.support) return make_supported(scenario, options);
   const std::vector<spatial::Tree> trees = build_trees(model);
-  const auto fill = [&](System<Space>& system) {
-    system = make_system(model, trees, {{}, available_memory()});
-    hold_mount(system.hub, options.instant);
-    require_memory(system, Formulation::structured);
-  };
-  const auto place = [&](const System<Space>& system, StepData<Space>& data) {
-    std::vector<SensorColumn> columns =
-        place_sensors(scenario.sensors, model.blades.size(), trees, system, data);
-    make_reading_rings(data);
-    return columns;
-  };
-  return std::make_unique<SteadySystem<Space>>(
-      SystemMaker<Space>{fill, place, make_loop_limits(scenario.integration)},
-      name_subsystems(trees), options);
+  System<Space> system = make_system(model, trees, {{}, available_memory()});
+  hold_mount(system.hub, options.instant);
+  require_memory(system, Formulation::structured);
+  return make_part(system, scenario.sensors, trees, model.blades.size(),
+                   make_loop_limits(scenario.integration), options);
 }
 
 }  // namespace

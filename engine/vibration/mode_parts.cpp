@@ -95,17 +95,6 @@ double calc_hub_energy(const Eigen::VectorXcd& hub, const steady::LinearModel& l
   return calc_mass(hub, linear.M - linear.support->M);
 }
 
-Eigen::MatrixXd find_rotor_mass(const Linearised& all) {
-  Eigen::MatrixXd mass = all.model.hub_mass();
-  for (std::size_t i = 0; i < all.model.subsystems(); ++i) {
-    if (all.model.stands(i)) continue;
-    steady::SubsystemResponse response;
-    all.model.evaluate(i, make_state(all.equilibrium, i), all.model.no_offset(), response);
-    mass += all.model.matrices(i).mass.topLeftCorner(mass.rows(), mass.cols());
-  }
-  return mass;
-}
-
 Features list_features(const SubsystemShape& shape) {
   return {shape.motions[2], shape.motions[1], shape.motions[3], shape.motions[0]};
 }

@@ -65,8 +65,6 @@ inline double calc_mass(const Eigen::VectorXcd& x, const Eigen::MatrixXd& M) {
 /// Returns the mass of a motion of the hub's coordinates: x^H M x, without that of a support on
 /// which the rotor stands.
 double calc_hub_energy(const Eigen::VectorXcd& hub, const steady::LinearModel& linear);
-/// Returns the mass matrix of a rotor on a support as a rigid body, along the axes of its hub.
-Eigen::MatrixXd find_rotor_mass(const Linearised& all);
 
 /// Returns flap, lag, torsion and axial motion of a shape, by which modes of equal roots are told
 /// apart.

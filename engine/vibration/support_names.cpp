@@ -66,7 +66,7 @@ struct Energies {
 void add_rotor(const VectorXcd& z, const Matrix3d& directions, const Linearised& all,
                Energies& energies) {
   const steady::LinearSupport& support = *all.linear.support;
-  const MatrixXd mass = find_rotor_mass(all);
+  const MatrixXd& mass = support.rotor_mass;
   const VectorXcd hub = support.J * z;
   const Matrix3d seen = directions.transpose() * all.model.on_support()->hub_place().axes;
   const Matrix3d inertia = seen * mass.bottomRightCorner<3, 3>() * seen.transpose();
@@ -102,8 +102,7 @@ void add_support(const VectorXcd& z, const Matrix3d& directions, const Linearise
 
 /// Returns the direction in which a mode moves.
 std::string find_direction(const Energies& energies, double speed) {
-  constexpr double kRound =
-      0.25;  // largest energy against a sense that goes round, by that with it
+  constexpr double kRound = 0.25;  // largest energy of one sense by that of the other
   const double with = energies.whirl[0], against = energies.whirl[1];
   const bool is_round = std::min(with, against) < kRound * std::max(with, against) &&
                         with + against > 0.5 * energies.sum();
