@@ -1,48 +1,23 @@
-// Puts the state-space matrices together.
+// Puts the matrices of subsystems and hub together.
+
+#include "engine/steady/linear_system.h"
 
 #include <utility>
 
-#include "engine/linearize.h"
-#include "engine/steady/describe_equilibrium.h"
 #include "engine/steady/linear_model.h"
 #include "engine/steady/linear_support.h"
 #include "engine/steady/load_effects.h"
 #include "engine/steady/output_derivatives.h"
-#include "engine/steady/steady_speed.h"
-#include "engine/steady/steady_warnings.h"
+#include "engine/steady/state_space.h"
 #include "engine/steady/supported_model.h"
 #include "engine/support/dense.h"
 #include "models/error.h"
-#include "models/reader/scenario_check.h"
 
-namespace spoke {
+namespace spoke::steady {
 namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-using steady::SteadyModel;
-
-/// Largest number of coordinates of a coupled model for which matrices are made: these are full
-/// then, 800 MB.
-constexpr Index kMostCoupled = 5000;
-
-/// A sparse matrix in the making.
-class Entries {
- public:
-  void add(Index row, Index column, const MatrixXd& block) {
-    for (Index c = 0; c < block.cols(); ++c)
-      for (Index r = 0; r < block.rows(); ++r)
-        if (block(r, c) != 0.0) list_.emplace_back(row + r, column + c, block(r, c));
-  }
-  Eigen::SparseMatrix<double> matrix(Index rows, Index columns) const {
-    Eigen::SparseMatrix<double> made(rows, columns);
-    made.setFromTriplets(list_.begin(), list_.end());
-    return made;
-  }
-
- private:
-  std::vector<Eigen::Triplet<double, Index>> list_;
-};
 
 /// Coordinates that move together, and their inputs: M x'' + C x' + K x = F u. They belong to one
 /// subsystem, or to the hub and all subsystems.
@@ -50,20 +25,9 @@ struct Part {
   MatrixXd M, C, K, F;
 };
 
-/// Names of a component of the hub's motion and of its force.
-struct HubNames {
-  const char *coordinate, *effort;
-};
-HubNames name_component(int c, const SteadyModel& model) {
-  static constexpr HubNames kMoves[] = {{"x", "force x"}, {"y", "force y"}, {"z", "force z"}};
-  static constexpr HubNames kTurns[] = {{"rotation x", "moment x"}, {"rotation y", "moment y"}};
-  if (c == model.twist_size() - 1) return {"angle", "torque"};
-  return c < model.first_rotation() ? kMoves[c] : kTurns[c - model.first_rotation()];
-}
-
 /// Returns a member of effects as the columns of a matrix.
-MatrixXd to_columns(const std::vector<steady::LoadEffect>& effects,
-                    Eigen::VectorXd steady::LoadEffect::*member, Index rows) {
+MatrixXd to_columns(const std::vector<LoadEffect>& effects, Eigen::VectorXd LoadEffect::*member,
+                    Index rows) {
   MatrixXd matrix(rows, std::ssize(effects));
   for (std::size_t k = 0; k < effects.size(); ++k)
     matrix.col(static_cast<Index>(k)) = effects[k].*member;
@@ -71,20 +35,20 @@ MatrixXd to_columns(const std::vector<steady::LoadEffect>& effects,
 }
 
 /// Linearises a model; a rotor on a support, which must be at rest, on it.
-steady::LinearModel linearize_standing(const steady::Equilibrium& equilibrium, SteadyModel& model) {
-  steady::LinearModel linear = linearize_machine(equilibrium, model);
+LinearModel linearize_standing(const Equilibrium& equilibrium, SteadyModel& model) {
+  LinearModel linear = linearize_machine(equilibrium, model);
   if (!linear.support) return linear;
   if (model.speed() != 0.0)
     throw InputError(
-        "support: the matrices of a rotor that turns on a support are not constant in the frame of "
-        "its hub, expected a speed of 0 (--speed 0); spoke modes sees it from outside");
-  steady::stand_on(*linear.support, linear);
+        "the frame \"turning\" expects a hub whose support does not move, or a speed of 0: on a "
+        "support the frame \"fixed\" has constant matrices");
+  stand_on(*linear.support, linear);
   return linear;
 }
 
 class Assembly {
  public:
-  Assembly(const Scenario& scenario, const steady::Equilibrium& equilibrium, SteadyModel& model)
+  Assembly(const Scenario& scenario, const Equilibrium& equilibrium, SteadyModel& model)
       : equilibrium_(equilibrium),
         model_(model),
         linear_(linearize_standing(equilibrium, model)),
@@ -92,10 +56,7 @@ class Assembly {
         hub_motion_(find_hub_motion()),
         effects_(calc_load_effects(scenario, equilibrium, model)) {
     count();
-    if (linear_.is_coupled() && size_ > kMostCoupled)
-      throw InputError("blades couple through the hub and have " + std::to_string(size_) +
-                       " coordinates, expected at most " + std::to_string(kMostCoupled) +
-                       ": the matrices would be full");
+    if (linear_.is_coupled()) require_few_coupled(size_);
   }
 
   LinearSystem make();
@@ -114,17 +75,15 @@ class Assembly {
   bool has_axle() const { return linear_.support && linear_.support->of.back() == "axle"; }
   /// Number of the forces on the hub.
   Index effort_count() const { return std::ssize(free()) + (has_axle() ? 1 : 0); }
-  bool turns(int c) const { return c >= model_.first_rotation(); }
 
   void count();
   void name_states();
   void name_inputs();
   Part make_subsystem_part(std::size_t i);
   Part make_whole_part();
-  LinearSignal name_hub(int c) const;
   LinearSignal name_coordinate(std::size_t i, Index k) const;
   MatrixXd on_subsystem(std::size_t i) const;
-  MatrixXd on_hub(const std::vector<steady::LoadEffect>& effects, const MatrixXd& motion) const;
+  MatrixXd on_hub(const std::vector<LoadEffect>& effects, const MatrixXd& motion) const;
   void add_part(const Part& part, Index coordinate, Index input);
   void add_outputs_of(std::size_t i);
   void add_by_coordinates(std::size_t i, Index row, const MatrixXd& by, Index first);
@@ -132,17 +91,17 @@ class Assembly {
   void add_hub_outputs();
   void add_supported_hub_outputs();
 
-  const steady::Equilibrium& equilibrium_;
+  const Equilibrium& equilibrium_;
   SteadyModel& model_;
-  steady::LinearModel linear_;
-  steady::HubKinematics kinematics_;
+  LinearModel linear_;
+  HubKinematics kinematics_;
   MatrixXd hub_motion_;  ///< the hub's twist by its coordinates' rates
-  steady::LoadEffects effects_;
+  LoadEffects effects_;
   std::vector<Index> coordinates_, inputs_;  ///< first index of each subsystem
   Index size_ = 0;                           ///< number of all coordinates
   Index input_count_ = 0;
   MatrixXd hub_by_state_, hub_by_input_;  ///< accelerations of the hub's free coordinates
-  Entries A_, B_, C_, D_;
+  MatrixEntries A_, B_, C_, D_;
   LinearSystem result_;
 };
 
@@ -168,54 +127,45 @@ void Assembly::name_states() {
     for (std::size_t k = 0; k < support->names.size(); ++k)
       states.push_back({support->names[k], support->turns[k] ? "rad" : "m"});
   else
-    for (const int c : free()) states.push_back(name_hub(c));
+    for (const int c : free()) states.push_back(name_hub_motion(c, model_));
   for (std::size_t i = 0; i < model_.subsystems(); ++i)
     for (const Index k : linear_.subsystem(i).independent) states.push_back(name_coordinate(i, k));
   for (std::size_t k = 0; k < static_cast<std::size_t>(size_); ++k)
-    states.push_back({"rate of " + states[k].name, states[k].unit + "/s"});
+    states.push_back(rate_of(states[k]));
 }
 
 void Assembly::name_inputs() {
   std::vector<LinearSignal>& inputs = result_.inputs;
-  for (const std::vector<steady::LoadEffect>& subsystem : effects_.subsystems)
-    for (const steady::LoadEffect& effect : subsystem) inputs.push_back(effect.input);
+  for (const std::vector<LoadEffect>& subsystem : effects_.subsystems)
+    for (const LoadEffect& effect : subsystem) inputs.push_back(effect.input);
   if (!linear_.is_coupled()) return;
-  for (const steady::LoadEffect& effect : effects_.hub) inputs.push_back(effect.input);
-  for (const int c : free())
-    inputs.push_back(
-        {std::string("hub / ") + name_component(c, model_).effort, turns(c) ? "N m" : "N"});
+  for (const LoadEffect& effect : effects_.hub) inputs.push_back(effect.input);
+  for (const int c : free()) inputs.push_back(name_hub_effort(c, model_));
   if (has_axle()) inputs.push_back({"axle / torque", "N m"});
 }
 
-LinearSignal Assembly::name_hub(int c) const {
-  return {std::string("hub / ") + name_component(c, model_).coordinate, turns(c) ? "rad" : "m"};
-}
-
 Part Assembly::make_subsystem_part(std::size_t i) {
-  const steady::LinearSubsystem& subsystem = linear_.subsystem(i);
+  const LinearSubsystem& subsystem = linear_.subsystem(i);
   return {subsystem.M, subsystem.C, subsystem.K, on_subsystem(i)};
 }
 
 LinearSignal Assembly::name_coordinate(std::size_t i, Index k) const {
-  const steady::SubsystemCoordinate& coordinate =
-      model_.coordinates(i)[static_cast<std::size_t>(k)];
+  const SubsystemCoordinate& coordinate = model_.coordinates(i)[static_cast<std::size_t>(k)];
   return {model_.name_of(i) + " / " + coordinate.name, coordinate.turns ? "rad" : "m"};
 }
 
 /// Returns the forces of the inputs of a subsystem on its independent coordinates.
 MatrixXd Assembly::on_subsystem(std::size_t i) const {
-  const MatrixXd force = to_columns(effects_.subsystems[i], &steady::LoadEffect::force,
-                                    std::ssize(model_.coordinates(i)));
+  const MatrixXd force =
+      to_columns(effects_.subsystems[i], &LoadEffect::force, std::ssize(model_.coordinates(i)));
   const MatrixXd& Z = linear_.subsystem(i).basis;
   return Z.rows() == 0 ? force : MatrixXd(Z.transpose() * force);
 }
 
 /// Returns the forces of these effects on the hub's coordinates, by their wrench on what `motion`
 /// moves.
-MatrixXd Assembly::on_hub(const std::vector<steady::LoadEffect>& effects,
-                          const MatrixXd& motion) const {
-  return motion.transpose() *
-         to_columns(effects, &steady::LoadEffect::hub_force, model_.twist_size());
+MatrixXd Assembly::on_hub(const std::vector<LoadEffect>& effects, const MatrixXd& motion) const {
+  return motion.transpose() * to_columns(effects, &LoadEffect::hub_force, model_.twist_size());
 }
 
 Part Assembly::make_whole_part() {
@@ -226,8 +176,8 @@ Part Assembly::make_whole_part() {
   part.C.topLeftCorner(h, h) = linear_.C;
   part.K.topLeftCorner(h, h) = linear_.K;
   for (std::size_t i = 0; i < model_.subsystems(); ++i) {
-    const steady::LinearSubsystem& subsystem = linear_.subsystem(i);
-    const steady::HubCoupling& hub = linear_.couplings[i];
+    const LinearSubsystem& subsystem = linear_.subsystem(i);
+    const HubCoupling& hub = linear_.couplings[i];
     const Index at = coordinates_[i], n = subsystem_size(i);
     const auto put = [&](const MatrixXd& own, const MatrixXd& by_hub, const MatrixXd& on_hub,
                          MatrixXd& whole) {
@@ -238,13 +188,13 @@ Part Assembly::make_whole_part() {
     put(subsystem.M, hub.M_bh, hub.M_hb, part.M);
     put(subsystem.C, hub.C_bh, hub.C_hb, part.C);
     put(subsystem.K, hub.K_bh, hub.K_hb, part.K);
-    const std::vector<steady::LoadEffect>& effects = effects_.subsystems[i];
+    const std::vector<LoadEffect>& effects = effects_.subsystems[i];
     part.F.block(at, inputs_[i], n, load_count(i)) = on_subsystem(i);
     part.F.block(0, inputs_[i], h, load_count(i)) = on_hub(effects, carrier_motion(i));
     if (hub.following.size() > 0 && load_count(i) > 0)
       part.F.block(0, inputs_[i], h, load_count(i)) +=
           hub.following.transpose() *
-          to_columns(effects, &steady::LoadEffect::force, std::ssize(model_.coordinates(i)));
+          to_columns(effects, &LoadEffect::force, std::ssize(model_.coordinates(i)));
   }
   const Index loads = std::ssize(effects_.hub), own = input_count_ - effort_count();
   part.F.block(0, own - loads, h, loads) = on_hub(effects_.hub, hub_motion_);
@@ -273,15 +223,14 @@ void Assembly::add_part(const Part& part, Index coordinate, Index input) {
 
 /// Adds the outputs of tip and sensors of a subsystem, by its own motion and by the hub's.
 void Assembly::add_outputs_of(std::size_t i) {
-  const steady::OutputDerivatives by =
-      calc_output_derivatives(i, steady::make_state(equilibrium_.q[i]), model_);
+  const OutputDerivatives by = calc_output_derivatives(i, make_state(equilibrium_.q[i]), model_);
   const Index row = std::ssize(result_.outputs);
   const std::vector<LinearSignal>& signals = model_.outputs(i);
   result_.outputs.insert(result_.outputs.end(), signals.begin(), signals.end());
   add_by_coordinates(i, row, by.by_q, 0);
   add_by_coordinates(i, row, by.by_v, size_);
   D_.add(row, inputs_[i],
-         to_columns(effects_.subsystems[i], &steady::LoadEffect::outputs, std::ssize(signals)));
+         to_columns(effects_.subsystems[i], &LoadEffect::outputs, std::ssize(signals)));
   if (linear_.is_coupled()) {
     const auto by_hub = [&](const MatrixXd& m) { return MatrixXd(m * carrier_motion(i)); };
     const MatrixXd by_acceleration = by_hub(by.by_acceleration);
@@ -326,11 +275,10 @@ void Assembly::add_hub_outputs() {
 /// Adds the motion of a hub on a support.
 void Assembly::add_supported_hub_outputs() {
   for (const int c : free()) {
-    const LinearSignal moved = name_hub(c);
+    const LinearSignal moved = name_hub_motion(c, model_);
     for (const bool is_rate : {false, true}) {
       C_.add(std::ssize(result_.outputs), is_rate ? size_ : 0, hub_motion_.row(c));
-      result_.outputs.push_back(is_rate ? LinearSignal{"rate of " + moved.name, moved.unit + "/s"}
-                                        : moved);
+      result_.outputs.push_back(is_rate ? rate_of(moved) : moved);
     }
   }
 }
@@ -357,17 +305,9 @@ LinearSystem Assembly::make() {
 
 }  // namespace
 
-LinearSystem solve_linear_system(const Scenario& scenario, const SteadyState& state) {
-  check_scenario(scenario);
-  const double speed = steady::find_steady_speed(scenario, state.speed);
-  const std::unique_ptr<SteadyModel> model =
-      steady::make_steady_model(scenario, {.speed = speed, .has_outputs = true});
-  const steady::Equilibrium equilibrium = steady::find_machine_equilibrium(*model);
-  steady::require_steady_machine(*model, equilibrium);
-  LinearSystem system = Assembly(scenario, equilibrium, *model).make();
-  system.equilibrium = describe(equilibrium, *model);
-  steady::add_warnings(scenario, system.equilibrium);
-  return system;
+LinearSystem make_turning_system(const Scenario& scenario, const Equilibrium& equilibrium,
+                                 SteadyModel& model) {
+  return Assembly(scenario, equilibrium, model).make();
 }
 
-}  // namespace spoke
+}  // namespace spoke::steady

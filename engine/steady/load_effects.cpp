@@ -3,6 +3,7 @@
 #include "engine/steady/load_effects.h"
 
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include "engine/steady/output_derivatives.h"
@@ -103,36 +104,83 @@ bool does_nothing(const LoadEffect& effect) {
   return effect.force.isZero(0.0) && effect.hub_force.isZero(0.0) && effect.outputs.isZero(0.0);
 }
 
+/// Makes the model of a scenario that stands like `model`; with an azimuth as it is there, with all
+/// parts of its loads.
+std::unique_ptr<SteadyModel> make_like(const SteadyModel& model, const Scenario& scenario,
+                                       std::optional<double> azimuth) {
+  std::unique_ptr<SteadyModel> made = make_steady_model(
+      scenario, {.speed = model.speed(), .is_whole = azimuth.has_value(), .has_outputs = true});
+  if (SupportedModel* machine = made->on_support()) {
+    machine->stand_like(*model.on_support());
+    if (azimuth) machine->turn_rotor(*azimuth);
+  } else if (azimuth) {
+    made->move_hub(*azimuth, 0.0, 0.0);
+  }
+  return made;
+}
+
+/// What a model exerts and shows at an equilibrium.
+struct Answers {
+  std::vector<LoadEffect> subsystems;
+  VectorXd hub;
+};
+Answers answer_all(const Equilibrium& equilibrium, const SteadyModel& settled, SteadyModel& model) {
+  Answers answers;
+  for (std::size_t i = 0; i < model.subsystems(); ++i) {
+    if (&model != &settled) model.settle_at(i, settled.absolute(i, equilibrium.q[i]));
+    answers.subsystems.push_back(answer(i, make_state(equilibrium.q[i]), model));
+  }
+  answers.hub = model.hub_force(model.no_offset());
+  return answers;
+}
+
+/// Returns what each input changes of the answers of `base`.
+std::vector<InputEffect> calc_effects(const Scenario& scenario, const Equilibrium& equilibrium,
+                                      const SteadyModel& settled, SteadyModel& base,
+                                      std::optional<double> azimuth) {
+  const Answers steady = answer_all(equilibrium, settled, base);
+  std::vector<InputEffect> effects;
+  for (const Input& input : list_inputs(scenario)) {
+    Scenario raised = scenario;
+    input.raise(raised);
+    const std::unique_ptr<SteadyModel> more = make_like(settled, raised, azimuth);
+    Answers changed = answer_all(equilibrium, settled, *more);
+    for (std::size_t i = 0; i < changed.subsystems.size(); ++i) {
+      LoadEffect& effect = changed.subsystems[i];
+      effect.force -= steady.subsystems[i].force;
+      effect.hub_force -= steady.subsystems[i].hub_force;
+      effect.outputs -= steady.subsystems[i].outputs;
+    }
+    effects.push_back({{input.name, input.unit},
+                       std::move(changed.subsystems),
+                       VectorXd(changed.hub - steady.hub)});
+  }
+  return effects;
+}
+
 }  // namespace
 
 LoadEffects calc_load_effects(const Scenario& scenario, const Equilibrium& equilibrium,
                               SteadyModel& model) {
   LoadEffects effects;
   effects.subsystems.resize(model.subsystems());
-  std::vector<LoadEffect> steady;
-  for (std::size_t i = 0; i < model.subsystems(); ++i)
-    steady.push_back(answer(i, make_state(equilibrium.q[i]), model));
-  const VectorXd on_hub = model.hub_force(model.no_offset());
-  for (const Input& input : list_inputs(scenario)) {
-    Scenario raised = scenario;
-    input.raise(raised);
-    const std::unique_ptr<SteadyModel> more =
-        make_steady_model(raised, {.speed = model.speed(), .has_outputs = true});
-    if (SupportedModel* machine = more->on_support()) machine->stand_like(*model.on_support());
+  for (InputEffect& by : calc_effects(scenario, equilibrium, model, model, std::nullopt)) {
     for (std::size_t i = 0; i < model.subsystems(); ++i) {
-      more->settle_at(i, model.absolute(i, equilibrium.q[i]));
-      LoadEffect effect = answer(i, make_state(equilibrium.q[i]), *more);
-      effect.input = {model.name_of(i) + " / " + input.name, input.unit};
-      effect.force -= steady[i].force;
-      effect.hub_force -= steady[i].hub_force;
-      effect.outputs -= steady[i].outputs;
-      if (!does_nothing(effect)) effects.subsystems[i].push_back(std::move(effect));
+      LoadEffect& effect = by.subsystems[i];
+      if (does_nothing(effect)) continue;
+      effect.input = {model.name_of(i) + " / " + by.input.name, by.input.unit};
+      effects.subsystems[i].push_back(std::move(effect));
     }
-    const VectorXd change = more->hub_force(model.no_offset()) - on_hub;
-    if (!change.isZero(0.0))
-      effects.hub.push_back({{"hub / " + input.name, input.unit}, {}, change, {}});
+    if (!by.hub.isZero(0.0))
+      effects.hub.push_back({{"hub / " + by.input.name, by.input.unit}, {}, by.hub, {}});
   }
   return effects;
+}
+
+std::vector<InputEffect> calc_effects_at(double azimuth, const Scenario& scenario,
+                                         const Equilibrium& equilibrium, SteadyModel& model) {
+  const std::unique_ptr<SteadyModel> base = make_like(model, scenario, azimuth);
+  return calc_effects(scenario, equilibrium, model, *base, azimuth);
 }
 
 }  // namespace spoke::steady

@@ -23,10 +23,22 @@ struct LoadEffects {
   std::vector<LoadEffect> hub;
 };
 
+/// What raising an input by one does to everything: `subsystems` has an entry for each, whose
+/// `input` is empty.
+struct InputEffect {
+  LinearSignal input;  ///< without the name of what it acts on
+  std::vector<LoadEffect> subsystems;
+  Eigen::VectorXd hub;  ///< on the hub alone, all components
+};
+
 /// Calculates the effects from models in which one input each is raised by one and all else is as
 /// in `model` at `equilibrium`: forces and accelerations are linear in loads. Every load counts
 /// separately for each subsystem.
 LoadEffects calc_load_effects(const Scenario& scenario, const Equilibrium& equilibrium,
                               SteadyModel& model);
+/// As calc_load_effects(), for every input; but with all parts of loads of constant direction, as
+/// they are at an azimuth of the hub. Vectors are along the axes that the hub has there.
+std::vector<InputEffect> calc_effects_at(double azimuth, const Scenario& scenario,
+                                         const Equilibrium& equilibrium, SteadyModel& model);
 
 }  // namespace spoke::steady

@@ -253,6 +253,9 @@ class SteadyModel {
   /// Returns names and units of the values of measure(): displacement of the tip, and the
   /// scenario's sensors on the subsystem whose frames turn with the hub.
   virtual const std::vector<LinearSignal>& outputs(std::size_t subsystem) const = 0;
+  /// Returns the matrix that takes outputs to axes that are turned by `angle` about the hub's:
+  /// vectors along the hub's axes change, those along a blade's or a section's stay.
+  virtual Eigen::MatrixXd turn_outputs(std::size_t subsystem, double angle) const = 0;
   /// Returns the names of the columns of the scenario's sensors that are not such outputs.
   virtual const std::vector<std::string>& other_sensors() const = 0;
   /// Returns the outputs at the state that was evaluated last. Precondition: accelerations() was

@@ -48,15 +48,6 @@ bool solves(const std::string& stage) {
          stage == stages::kLoopFactor || stage == stages::kLoopForces;
 }
 
-/// Returns the distance of the undeformed body from the root of its subsystem [m].
-double station_of(const Subsystem<Plane>& subsystem, std::size_t j) {
-  return subsystem.length * static_cast<double>(j) / static_cast<double>(subsystem.bodies.size());
-}
-double station_of(const Subsystem<Space>& subsystem, std::size_t j) {
-  const space::FlexibleBody* flexible = subsystem.bodies[j].body->flexible();
-  return flexible ? flexible->stations.front() : 0.0;
-}
-
 /// Returns the undeformed frame of the body on the hub from which another one hangs.
 plane::Rotation root_rotation(const Subsystem<Plane>& subsystem, int) { return subsystem.root.R; }
 space::Rotation root_rotation(const Subsystem<Space>& subsystem, int body) {
@@ -64,9 +55,6 @@ space::Rotation root_rotation(const Subsystem<Space>& subsystem, int body) {
   while (root->parent >= 0) root = &subsystem.bodies[static_cast<std::size_t>(root->parent)];
   return root->joint.joint.offset.R;
 }
-
-Eigen::Vector3d in_space(const Position& p) { return {p.x(), p.y(), 0.0}; }
-Eigen::Vector3d in_space(const space::Position& p) { return p; }
 
 }  // namespace
 
@@ -156,56 +144,6 @@ void SteadySystem<World>::set_undeformed() {
     tip_axes_.push_back(outer_axes(data(i)));
     stiffness_.push_back(assemble_stiffness(i));
   }
-}
-
-/// Whether a sensor is constant in steady rotation, as are those whose frames turn with the hub; on
-/// a support those of motions, whose frames may stand.
-template <class World>
-bool SteadySystem<World>::is_steady(const SensorColumn& column) const {
-  if (is_support_)
-    return (column.quantity == SensorQuantity::displacement ||
-            column.quantity == SensorQuantity::velocity ||
-            column.quantity == SensorQuantity::loop_opening) &&
-           (column.frame != SensorFrame::inertial || hub_.support == HubSupport::axle);
-  const bool is_local =
-      is_motion(column.quantity) || column.quantity == SensorQuantity::section_force ||
-      column.quantity == SensorQuantity::joint_reaction || is_of_loop(column.quantity);
-  return is_local && column.frame != SensorFrame::inertial;
-}
-
-template <class World>
-void SteadySystem<World>::set_outputs(std::vector<SensorColumn> columns) {
-  static constexpr const char* kAxes[] = {"x", "y", "z"};
-  columns_.resize(subsystems());
-  outputs_.resize(subsystems());
-  for (std::size_t i = 0; i < subsystems(); ++i)
-    for (int c = 0; c < World::kPosition; ++c)
-      outputs_[i].push_back({names_[i].sensors + ".tip." + kAxes[c], "m"});
-  for (SensorColumn& column : columns) {
-    if (!is_steady(column)) {
-      other_sensors_.push_back(column.name);
-      continue;
-    }
-    outputs_[column.subsystem].push_back({column.name, column.unit});
-    columns_[column.subsystem].push_back(std::move(column));
-  }
-}
-
-template <class World>
-Eigen::VectorXd SteadySystem<World>::measure(std::size_t subsystem) {
-  assert(subsystem < subsystems());
-  SubsystemData<World>& own = data(subsystem);
-  keep_joint_loads(context_.system.subsystems[subsystem], own);
-  if (!own.loops.is_empty()) keep_loop_loads(own);
-  const Eigen::Vector3d displacement = tip(subsystem).displacement;
-  calc_readings(context_.system, subsystem, 0, 0.0, context_.data);
-  Eigen::VectorXd values(std::ssize(outputs_[subsystem]));
-  const Eigen::Index tips = values.size() - std::ssize(columns_[subsystem]);
-  values.head(tips) = displacement.head(tips);
-  for (std::size_t k = 0; k < columns_[subsystem].size(); ++k)
-    values[tips + static_cast<Eigen::Index>(k)] =
-        value_of(columns_[subsystem][k], hub_, 0, context_.data);
-  return values;
 }
 
 template <class World>
@@ -388,109 +326,6 @@ Eigen::VectorXd SteadySystem<World>::take_bodies(std::size_t subsystem) const {
   return q;
 }
 
-/// Returns the twists of the frames of bodies, below one another, in columns for the twist of the
-/// hub and for velocities.
-template <class World>
-Eigen::MatrixXd SteadySystem<World>::calc_twists(std::size_t subsystem) {
-  SubsystemData<World>& own = data(subsystem);
-  const Subsystem<World>& model = context_.system.subsystems[subsystem];
-  const Eigen::Index n = std::ssize(coordinates_[subsystem]);
-  const auto bodies = static_cast<Eigen::Index>(own.bodies.size());
-  Eigen::MatrixXd twists(World::kTwist * bodies, World::kTwist + n);
-  const Eigen::VectorXd q = take_bodies(subsystem);
-  Eigen::VectorXd v = Eigen::VectorXd::Zero(n);
-  const PrescribedHub<World> kept = own.prescribed;
-  for (Eigen::Index c = 0; c < twists.cols(); ++c) {
-    const bool is_hub = c < World::kTwist;
-    own.prescribed.state.twist = is_hub ? Twist(Twist::Unit(c)) : Twist(Twist::Zero());
-    if (!is_hub) v[c - World::kTwist] = 1.0;
-    put_bodies(subsystem, q, v);
-    if (!is_hub) v[c - World::kTwist] = 0.0;
-    calc_rotations(model, own);
-    calc_velocities(model, own);
-    for (Eigen::Index j = 0; j < bodies; ++j)
-      twists.block(World::kTwist * j, c, World::kTwist, 1) =
-          own.twists[static_cast<std::size_t>(j)];
-  }
-  own.prescribed = kept;
-  return twists;
-}
-
-namespace {
-
-/// Returns what the modes of beams add to D of a subsystem's coordinates.
-template <class World>
-Eigen::MatrixXd calc_modal_damping(const Subsystem<World>& subsystem, Eigen::Index coordinates) {
-  const auto modes = std::ssize(subsystem.modal_factors);
-  Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(coordinates, modes);
-  Eigen::Index at = 0;
-  for (const TreeBody<World>& body : subsystem.bodies) {
-    at += count_joint_coordinates(body);
-    const ModalShare& share = body.modal;
-    if (!share.is_empty())
-      weights.block(at, share.first, share.weights.rows(), share.weights.cols()) = share.weights;
-    at += body.body->coordinates();
-  }
-  const auto factors = Eigen::Map<const Eigen::VectorXd>(subsystem.modal_factors.data(), modes);
-  return weights * factors.asDiagonal() * weights.transpose();
-}
-
-}  // namespace
-
-template <class World>
-SubsystemMatrices SteadySystem<World>::matrices(std::size_t subsystem) {
-  assert(subsystem < subsystems());
-  constexpr Eigen::Index kHub = World::kTwist;
-  SubsystemData<World>& own = data(subsystem);
-  const Eigen::Index n = std::ssize(coordinates_[subsystem]);
-  SubsystemMatrices result{Eigen::MatrixXd::Zero(kHub + n, kHub + n), Eigen::MatrixXd::Zero(n, n)};
-  std::vector<Eigen::MatrixXd> masses;
-  for (const BodyData<World>& body : own.bodies) masses.push_back(calc_body_mass(body));
-  const auto stiffening = sum_stiffening<World>(own.bodies);
-  const Eigen::MatrixXd twists = calc_twists(subsystem);
-  Eigen::Index at = 0;
-  for (std::size_t j = 0; j < masses.size(); ++j) {
-    const BodyData<World>& body = own.bodies[j];
-    const Eigen::Index nf = body.model->body->coordinates();
-    at += count_joint_coordinates(*body.model);
-    const auto T = twists.middleRows(kHub * static_cast<Eigen::Index>(j), kHub);
-    const auto C = masses[j].topRightCorner(kHub, nf);
-    result.mass += T.transpose() * masses[j].topLeftCorner(kHub, kHub) * T;
-    result.mass.middleCols(kHub + at, nf) += T.transpose() * C;
-    result.mass.middleRows(kHub + at, nf) += C.transpose() * T;
-    result.mass.block(kHub + at, kHub + at, nf, nf) += masses[j].bottomRightCorner(nf, nf);
-    if (nf > 0)
-      result.damping.block(at, at, nf, nf) = calc_body_damping(context_.system.damping, body);
-    at += nf;
-  }
-  const Subsystem<World>& model = context_.system.subsystems[subsystem];
-  if (!model.modal_factors.empty()) result.damping += calc_modal_damping(model, n);
-  TwistMatrixOf<World> hub = TwistMatrixOf<World>::Zero();
-  rotary(hub) -= stiffening.inertia;
-  result.mass.topLeftCorner(kHub, kHub) += hub;
-  return result;
-}
-
-template <class World>
-Eigen::MatrixXd SteadySystem<World>::twists(std::size_t subsystem, int body) {
-  assert(subsystem < subsystems());
-  return calc_twists(subsystem).middleRows(World::kTwist * body, World::kTwist);
-}
-
-template <class World>
-Eigen::VectorXd SteadySystem<World>::momenta(std::size_t subsystem, const Eigen::VectorXd& v) {
-  assert(subsystem < subsystems() && std::cmp_equal(v.size(), coordinates_[subsystem].size()));
-  SubsystemData<World>& own = data(subsystem);
-  const Subsystem<World>& model = context_.system.subsystems[subsystem];
-  const PrescribedHub<World> kept = own.prescribed;
-  own.prescribed.state.twist = Twist::Zero();
-  put_bodies(subsystem, take_bodies(subsystem), v);
-  calc_rotations(model, own);
-  calc_velocities(model, own);
-  own.prescribed = kept;
-  return calc_momenta(model, own, v);
-}
-
 template <class World>
 HubVector SteadySystem<World>::hub_force(const HubOffset& offset) const {
   const PrescribedHub<World> hub = hub_motion(offset);
@@ -505,62 +340,48 @@ Eigen::MatrixXd SteadySystem<World>::hub_mass() const {
   return calc_hub_mass(hub_);
 }
 
-template <class World>
-std::vector<SolidDeformation> SteadySystem<World>::solids(std::size_t subsystem) const {
-  std::vector<SolidDeformation> solids;
-  const SubsystemData<World>& own = data(subsystem);
-  for (std::size_t j = 0; j < own.bodies.size(); ++j)
-    if (auto solid = solid_of(own.bodies[j]))
-      solids.push_back({static_cast<int>(j), std::move(solid), {}});
-  return solids;
-}
-
-template <class World>
-std::vector<NodePlace> SteadySystem<World>::places(std::size_t subsystem) {
-  assert(subsystem < subsystems());
-  SubsystemData<World>& own = data(subsystem);
-  calc_poses(context_.system.subsystems[subsystem], own, own.poses);
-  std::vector<NodePlace> places;
-  for (std::size_t j = 0; j < own.bodies.size(); ++j) add_places(own, static_cast<int>(j), places);
-  return places;
-}
-
-template <class World>
-TipMotion SteadySystem<World>::tip(std::size_t subsystem) {
-  SubsystemData<World>& own = data(subsystem);
-  calc_poses(context_.system.subsystems[subsystem], own, own.poses);
-  const Eigen::Matrix3d turned = outer_axes(own) * tip_axes_[subsystem].transpose();
-  const SubsystemSample<World> sample = calc_sample(context_.system, subsystem, data(subsystem));
-  return {in_space(sample.tip), space::logarithm(space::Rotation{turned})};
-}
-
-template <class World>
-std::vector<RootLoad> SteadySystem<World>::root_loads(std::size_t subsystem) const {
-  assert(subsystem < subsystems());
-  std::vector<RootLoad> loads;
-  const SubsystemData<World>& own = data(subsystem);
-  for (std::size_t j = 0; j < own.bodies.size(); ++j) {
-    const TwistOf<World>& wrench = own.wrenches[j].inboard;
-    const Eigen::Matrix3d to_section = inboard_axes(own.bodies[j]).transpose();
-    loads.push_back({names_[subsystem].bodies[j],
-                     station_of(context_.system.subsystems[subsystem], j),
-                     -to_section * force_of(wrench), -to_section * moment_of(wrench)});
-  }
-  // As the sensor shows: in the plane the root has the moment of the tension on the hub.
-  if constexpr (std::is_same_v<World, Plane>)
-    loads.front().moment.z() += sum_stiffening<World>(own.bodies).moment;
-  return loads;
-}
-
-template <class World>
-std::vector<double> SteadySystem<World>::bending(std::size_t subsystem) const {
-  std::vector<double> bending;
-  for (const BodyData<World>& body : data(subsystem).bodies)
-    bending.push_back(find_large_deflection(body));
-  return bending;
-}
-
-template class SteadySystem<Plane>;
-template class SteadySystem<Space>;
+// Each file of the class makes its own members.
+template SteadySystem<Plane>::SteadySystem(const SystemMaker<Plane>&, std::vector<SubsystemNames>,
+                                           const SteadyOptions&);
+template bool SteadySystem<Plane>::has_torque_drive() const;
+template Eigen::Matrix3d SteadySystem<Plane>::root_axes(std::size_t, int) const;
+template void SteadySystem<Plane>::set_share(double);
+template void SteadySystem<Plane>::move_hub(double, double, double);
+template Eigen::VectorXd SteadySystem<Plane>::initial(std::size_t) const;
+template void SteadySystem<Plane>::settle(std::size_t, Eigen::VectorXd&);
+template void SteadySystem<Plane>::settle_at(std::size_t, const Eigen::VectorXd&);
+template Eigen::VectorXd SteadySystem<Plane>::absolute(std::size_t, const Eigen::VectorXd&) const;
+template void SteadySystem<Plane>::put_bodies(std::size_t, const Eigen::VectorXd&,
+                                              const Eigen::VectorXd&);
+template Eigen::VectorXd SteadySystem<Plane>::take_bodies(std::size_t) const;
+template void SteadySystem<Plane>::evaluate(std::size_t, const SubsystemState&, const HubOffset&,
+                                            SubsystemResponse&);
+template Eigen::VectorXd SteadySystem<Plane>::accelerations(std::size_t);
+template Eigen::MatrixXd SteadySystem<Plane>::closures(std::size_t);
+template std::vector<LoopLoad> SteadySystem<Plane>::loop_loads(std::size_t,
+                                                               const Eigen::VectorXd&) const;
+template HubVector SteadySystem<Plane>::hub_force(const HubOffset&) const;
+template Eigen::MatrixXd SteadySystem<Plane>::hub_mass() const;
+template SteadySystem<Space>::SteadySystem(const SystemMaker<Space>&, std::vector<SubsystemNames>,
+                                           const SteadyOptions&);
+template bool SteadySystem<Space>::has_torque_drive() const;
+template Eigen::Matrix3d SteadySystem<Space>::root_axes(std::size_t, int) const;
+template void SteadySystem<Space>::set_share(double);
+template void SteadySystem<Space>::move_hub(double, double, double);
+template Eigen::VectorXd SteadySystem<Space>::initial(std::size_t) const;
+template void SteadySystem<Space>::settle(std::size_t, Eigen::VectorXd&);
+template void SteadySystem<Space>::settle_at(std::size_t, const Eigen::VectorXd&);
+template Eigen::VectorXd SteadySystem<Space>::absolute(std::size_t, const Eigen::VectorXd&) const;
+template void SteadySystem<Space>::put_bodies(std::size_t, const Eigen::VectorXd&,
+                                              const Eigen::VectorXd&);
+template Eigen::VectorXd SteadySystem<Space>::take_bodies(std::size_t) const;
+template void SteadySystem<Space>::evaluate(std::size_t, const SubsystemState&, const HubOffset&,
+                                            SubsystemResponse&);
+template Eigen::VectorXd SteadySystem<Space>::accelerations(std::size_t);
+template Eigen::MatrixXd SteadySystem<Space>::closures(std::size_t);
+template std::vector<LoopLoad> SteadySystem<Space>::loop_loads(std::size_t,
+                                                               const Eigen::VectorXd&) const;
+template HubVector SteadySystem<Space>::hub_force(const HubOffset&) const;
+template Eigen::MatrixXd SteadySystem<Space>::hub_mass() const;
 
 }  // namespace spoke::steady

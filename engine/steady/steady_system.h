@@ -84,6 +84,7 @@ class SteadySystem final : public SteadyModel {
     return outputs_[subsystem];
   }
   const std::vector<std::string>& other_sensors() const override { return other_sensors_; }
+  Eigen::MatrixXd turn_outputs(std::size_t subsystem, double angle) const override;
   Eigen::VectorXd measure(std::size_t subsystem) override;
 
  private:

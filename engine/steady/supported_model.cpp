@@ -70,6 +70,11 @@ void SupportedModel::stand_like(const SupportedModel& other) {
   support_ = parts_.support(wrench_);
 }
 
+void SupportedModel::turn_rotor(double azimuth) {
+  const Eigen::AngleAxisd about(azimuth, Eigen::Vector3d::UnitZ());
+  rotor_ = parts_.rotor(axes_ * about.matrix(), DeadLoads::all);
+}
+
 void SupportedModel::set_share(double share) {
   rotor_->set_share(share);
   support_->set_share(share);

@@ -56,6 +56,8 @@ class SupportedModel final : public SteadyModel {
   std::unique_ptr<SteadyModel> load_support(const HubVector& wrench);
   /// Puts the rotor, and lets a wrench act, as in another model.
   void stand_like(const SupportedModel& other);
+  /// Puts the rotor where it is at an azimuth of its hub, with all loads that act there.
+  void turn_rotor(double azimuth);
   /// Returns the mean over a turn of what the rotor in equilibrium exerts on its hub, along the
   /// axes that the hub has at azimuth zero, if it is turned by the small rotation vector `turn`,
   /// the other components of a twist being unused.
@@ -128,6 +130,9 @@ class SupportedModel final : public SteadyModel {
     return of(i).outputs(in(i));
   }
   const std::vector<std::string>& other_sensors() const override { return other_sensors_; }
+  Eigen::MatrixXd turn_outputs(std::size_t i, double angle) const override {
+    return of(i).turn_outputs(in(i), angle);
+  }
   Eigen::VectorXd measure(std::size_t i) override { return of(i).measure(in(i)); }
 
  private:

@@ -112,6 +112,7 @@ void add_linearize(CLI::App& command, Arguments& arguments) {
   add_common(command, arguments);
   add_out(command, arguments, "results/<name of the scenario>/linear");
   add_speed(command, arguments.steady);
+  add_constant_frame(command, arguments.steady);
   command.footer(std::string(kLinearizeText) + '\n' + kStatusText);
 }
 

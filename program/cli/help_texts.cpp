@@ -144,7 +144,10 @@ Examples:
 const char* const kLinearizeText =
     R"(Small motions x about the equilibrium of spoke static, in the frame that turns with the hub:
 x' = A x + B u, y = C x + D u; u: factors of loads, motors, the drive's torque; y: tips, joints and
-the scenario's sensors whose frames turn with the hub.
+the scenario's sensors whose frames turn with the hub. With --frame fixed, the usual frame of a
+rotor that turns on a support, as seen from outside, in multi-blade coordinates: states, inputs and
+outputs of 3 or more equal blades are their collective, cosine and sine amplitudes, which support
+and hub, along axes that stand, meet with constant matrices. See docs/modes.md.
 
 Output files, in the folder of --out:
   A.mtx, B.mtx, C.mtx, D.mtx  the matrices (Matrix Market: scipy.io.mmread reads them)
@@ -152,6 +155,7 @@ Output files, in the folder of --out:
 
 Example:
   spoke linearize models/articulated_rotor.toml --speed 40
+  spoke linearize models/nrel_5mw_turbine.toml --speed 1.2
 )";
 
 const char* const kTraceText =

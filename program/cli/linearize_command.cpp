@@ -13,11 +13,15 @@ namespace {
 void print(const LinearSystem& system, const SteadyTask& task) {
   print_title(task.scenario().title);
   print_line("speed", fmt::format("{:.6g} rad/s", system.equilibrium.speed));
+  print_line("frame", system.frame == ModeFrame::fixed ? "fixed: multi-blade coordinates"
+                                                       : "turning with the hub");
   print_line("states", std::to_string(system.states.size()));
   print_line("inputs", std::to_string(system.inputs.size()));
   print_line("outputs", std::to_string(system.outputs.size()));
   for (const std::string& name : system.left_out)
     print_line("left out", name + ": it is no constant function of the state");
+  for (const std::string& name : system.left_out_inputs)
+    print_line("left out", name + ": it turns with the hub, and not all blades have it");
   print_line("written", task.path("linear.json") + ", A.mtx, B.mtx, C.mtx, D.mtx");
 }
 
@@ -26,7 +30,7 @@ void print(const LinearSystem& system, const SteadyTask& task) {
 int linearize(const Arguments& arguments) {
   const SteadyTask task(arguments, "linear");
   const LinearSystem system = task.solve([&](const Scenario& scenario) {
-    return solve_linear_system(scenario, {arguments.steady.speed});
+    return solve_linear_system(scenario, {arguments.steady.speed}, arguments.steady.frame);
   });
   task.write({{"A.mtx", steady_report::make_matrix_market(system.A)},
               {"B.mtx", steady_report::make_matrix_market(system.B)},

@@ -113,18 +113,37 @@ void add_count(CLI::App& command, SteadyArguments& arguments) {
       ->type_name("N");
 }
 
-void add_frame(CLI::App& command, SteadyArguments& arguments) {
+namespace {
+
+/// Adds --frame with these frames.
+void add_frames(CLI::App& command, const std::vector<std::string>& names, const char* text,
+                SteadyArguments& arguments) {
   static const std::map<std::string, ModeFrame> frames = {{"turning", ModeFrame::turning},
                                                           {"fixed", ModeFrame::fixed},
                                                           {"floquet", ModeFrame::floquet}};
   command
       .add_option_function<std::string>(
-          "--frame", [&](const std::string& name) { arguments.frame = frames.at(name); },
-          "From where vibrations are seen: turning with the hub; fixed:\n"
-          "from outside, of 3 or more equal blades; floquet: of any\n"
-          "blades, by harmonics [fixed on a support, else turning]")
-      ->check(CLI::IsMember({"turning", "fixed", "floquet"}))
+          "--frame", [&](const std::string& name) { arguments.frame = frames.at(name); }, text)
+      ->check(CLI::IsMember(names))
       ->type_name("FRAME");
+}
+
+}  // namespace
+
+void add_frame(CLI::App& command, SteadyArguments& arguments) {
+  add_frames(command, {"turning", "fixed", "floquet"},
+             "From where vibrations are seen: turning with the hub; fixed:\n"
+             "from outside, of 3 or more equal blades; floquet: of any\n"
+             "blades, by harmonics [fixed on a support, else turning]",
+             arguments);
+}
+
+void add_constant_frame(CLI::App& command, SteadyArguments& arguments) {
+  add_frames(command, {"turning", "fixed"},
+             "From where motions are seen: turning with the hub; fixed:\n"
+             "from outside, of 3 or more equal blades [fixed for a rotor\n"
+             "that turns on a support, else turning]",
+             arguments);
 }
 
 }  // namespace spoke::cli

@@ -34,6 +34,8 @@ void add_speeds(CLI::App& command, SteadyArguments& arguments);
 void add_range(CLI::App& command, SteadyArguments& arguments);
 /// Adds --count.
 void add_count(CLI::App& command, SteadyArguments& arguments);
+/// Adds --frame of frames with constant matrices.
+void add_constant_frame(CLI::App& command, SteadyArguments& arguments);
 /// Adds --frame.
 void add_frame(CLI::App& command, SteadyArguments& arguments);
 

@@ -6,6 +6,7 @@
 
 #include "engine/support/plain_zero.h"
 #include "models/support/json.h"
+#include "program/steady_report/mode_files.h"
 
 namespace spoke::steady_report {
 namespace {
@@ -32,11 +33,13 @@ std::string make_matrix_market(const Eigen::SparseMatrix<double>& matrix) {
 std::string make_json(const LinearSystem& system) {
   Json left_out = Json::array();
   for (const std::string& name : system.left_out) left_out.push_back(name);
-  const Json json = {{"speed_rad_per_s", system.equilibrium.speed},
-                     {"states", signals_json(system.states)},
-                     {"inputs", signals_json(system.inputs)},
-                     {"outputs", signals_json(system.outputs)},
-                     {"left_out", left_out}};
+  Json left_out_inputs = Json::array();
+  for (const std::string& name : system.left_out_inputs) left_out_inputs.push_back(name);
+  const Json json = {
+      {"speed_rad_per_s", system.equilibrium.speed}, {"frame", name_of(system.frame)},
+      {"states", signals_json(system.states)},       {"inputs", signals_json(system.inputs)},
+      {"outputs", signals_json(system.outputs)},     {"left_out", left_out},
+      {"left_out_inputs", left_out_inputs}};
   return json.dump_lines();
 }
 
