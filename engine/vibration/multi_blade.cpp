@@ -20,7 +20,7 @@ using steady::LinearModel;
 using steady::LinearSubsystem;
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr const char* kElse = ": the frame \"floquet\" takes any blades";
+constexpr const char* kElse = ": of modes the frame \"floquet\" takes any blades";
 
 double wrap(double angle) {
   const double within = std::fmod(angle, kTurn);

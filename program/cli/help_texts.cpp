@@ -153,7 +153,7 @@ Output files, in the folder of --out:
   A.mtx, B.mtx, C.mtx, D.mtx  the matrices (Matrix Market: scipy.io.mmread reads them)
   linear.json                 names and units of states, inputs and outputs
 
-Example:
+Examples:
   spoke linearize models/articulated_rotor.toml --speed 40
   spoke linearize models/nrel_5mw_turbine.toml --speed 1.2
 )";

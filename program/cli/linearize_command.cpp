@@ -21,7 +21,7 @@ void print(const LinearSystem& system, const SteadyTask& task) {
   for (const std::string& name : system.left_out)
     print_line("left out", name + ": it is no constant function of the state");
   for (const std::string& name : system.left_out_inputs)
-    print_line("left out", name + ": it turns with the hub, and not all blades have it");
+    print_line("left out", name + ": it turns with the hub, and is not alike on all blades");
   print_line("written", task.path("linear.json") + ", A.mtx, B.mtx, C.mtx, D.mtx");
 }
 

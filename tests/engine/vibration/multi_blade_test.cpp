@@ -199,7 +199,7 @@ TEST_CASE("fixed frame: rotors that it cannot take are refused, and told of anot
   };
   CHECK(message(make_rotor(2)) ==
         "the frame \"fixed\" expects three or more equal blades, got 2 of the kind of blade 1, "
-        "blade 2: the frame \"floquet\" takes any blades");
+        "blade 2: of modes the frame \"floquet\" takes any blades");
   CHECK(test::contains(message(make_rotor(1)), "three or more equal blades, got 1 of the kind"));
   Scenario uneven = make_rotor(3);
   uneven.space->blades[1].azimuth += 0.01;

@@ -111,16 +111,16 @@ TEST_CASE("support modes: ground resonance sets on where Coleman and Feingold's 
 /// Returns the frequencies of a disc at the end of a massless shaft of these bending stiffnesses,
 /// which stands, by place and slope in both planes [rad/s].
 std::vector<Complex> solve_overhung(double lag, double flap, double speed) {
-  constexpr double L = 0.6, kMass = 10.0, kPolar = 0.2 + 1e-5, kTransverse = 0.1 + 1e-5;
+  constexpr double L = 0.6, kMass = 10.0, kSpinInertia = 0.2 + 1e-5, kTiltInertia = 0.1 + 1e-5;
   Eigen::Matrix2d bend;
   bend << 12.0, -6.0 * L, -6.0 * L, 4.0 * L * L;
   bend /= L * L * L;
   MatrixXd M = MatrixXd::Zero(4, 4), C = M, K = M;
   K.topLeftCorner<2, 2>() = lag * bend;       // y and the slope of y
   K.bottomRightCorner<2, 2>() = flap * bend;  // z and the slope of z
-  M.diagonal() << kMass, kTransverse, kMass, kTransverse;
+  M.diagonal() << kMass, kTiltInertia, kMass, kTiltInertia;
   // Rotations are theta_z = y', theta_y = -z'.
-  C(1, 3) = kPolar * speed;
+  C(1, 3) = kSpinInertia * speed;
   C(3, 1) = -C(1, 3);
   return solve(M, C, K);
 }
@@ -243,7 +243,7 @@ std::string column_of(const std::string& table) {
 constexpr const char* kStanding = "orientation = [0.0, -1.5707963267948966, 0.0]\n";
 constexpr const char* kRest =
     "[gravity]\nacceleration = [0.0, 1.0, -9.81]\n[integration]\nduration = 1.0\n";
-constexpr const char* kDisc =
+constexpr const char* kEndDisc =
     "kind = \"rigid\"\nmass = 300.0\ncenter = [0.4, 0.0, 0.1]\n"
     "inertia = [50.0, 60.0, 80.0]\n";
 
@@ -255,7 +255,7 @@ Scenario make_tower() {
           kStanding +
           "[support.axle]\nbody = \"column\"\norientation = [0.0, 1.5707963267948966, 0.0]\n"
           "[[subsystem]]\nname = \"disc\"\n[[subsystem.body]]\nname = \"disc\"\n" +
-          kDisc + "[[subsystem.joint]]\nparent = \"hub\"\nchild = \"disc\"\nkind = \"fixed\"\n" +
+          kEndDisc + "[[subsystem.joint]]\nparent = \"hub\"\nchild = \"disc\"\nkind = \"fixed\"\n" +
           kRest,
       "tower.toml");
 }
@@ -265,7 +265,7 @@ Scenario make_subsystem_tower() {
       "[[subsystem]]\nname = \"tower\"\n" +
           column_of("subsystem") +
           "[[subsystem.joint]]\nparent = \"hub\"\nchild = \"column\"\nkind = \"fixed\"\n" +
-          kStanding + "[[subsystem.body]]\nname = \"disc\"\n" + kDisc +
+          kStanding + "[[subsystem.body]]\nname = \"disc\"\n" + kEndDisc +
           "[[subsystem.joint]]\nparent = \"column\"\nchild = \"disc\"\nkind = \"fixed\"\n"
           "orientation = [0.0, 1.5707963267948966, 0.0]\n" +
           kRest,

@@ -131,7 +131,7 @@ TEST_CASE("frames that a model cannot be seen in are refused in one line") {
   refused({"campbell", rotor, "--speeds", "0:1:0.5", "--frame", "floquet"},
           "expects a hub that turns");
   refused({"modes", rotor, "--frame", "fixed", "--set", "blade.count=2"},
-          "the frame \"floquet\" takes any blades");
+          "of modes the frame \"floquet\" takes any blades");
   refused({"modes", rotor, "--frame", "fixed", "--count", "100000"}, "expected at most");
   refused({"modes", shipped("free_hub_satellite"), "--speed", "0.2", "--frame", "fixed"},
           "three or more equal blades");
@@ -256,6 +256,26 @@ TEST_CASE("linearize writes matrices whose rows and columns have names") {
   CHECK(b[0] == "%%MatrixMarket matrix coordinate real general");
   const std::string sizes = std::to_string(names["states"].size()) + " 3 ";
   CHECK(b[1] == sizes + std::to_string(b.size() - 2));
+}
+
+TEST_CASE("linearize sees a rotor that turns on a support from outside") {
+  const WorkFolder folder;
+  const std::string machine = shipped("ground_resonance");
+  const Ended ended = run_spoke({"linearize", machine, "--out", "x"}, folder);
+  CHECK(ended.status == 0);
+  CHECK(ended.err.empty());
+  CHECK(ended.out.find("fixed: multi-blade coordinates") != std::string::npos);
+  const json names = json::parse(file_text(folder.path() / "x" / "linear.json"));
+  CHECK(names["frame"] == "fixed");
+  CHECK(names["left_out_inputs"].empty());
+  CHECK(names["states"].size() == 10);
+  CHECK(names["states"][3] ==
+        json{{"name", "blade1, blade2, blade3 / lag cosine"}, {"unit", "rad"}});
+  check_refused({"linearize", machine, "--frame", "turning"},
+                "the frame \"turning\" expects a hub whose support does not move");
+  check_refused({"linearize", machine, "--frame", "floquet"}, "--frame: floquet not in {");
+  check_refused({"linearize", machine, "--set", "subsystem.1.count=2"},
+                "the frame \"fixed\" expects three or more equal blades, got 2");
 }
 
 TEST_CASE("static, modes, campbell and linearize refuse bad input in one line") {
