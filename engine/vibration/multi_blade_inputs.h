@@ -43,8 +43,8 @@ MultiBladeInputs find_inputs(const Scenario& scenario, const Linearised& all,
 /// Returns the name of a family: "blades 1 to 3".
 std::string name_family(const BladeFamily& family, const steady::SteadyModel& model);
 
-/// Returns how the rotational and other components of a twist, the columns, move the coordinates of
-/// a subsystem that follow the hub by its loops; none: empty.
+/// Returns how the components of the hub's motion, the columns, move the coordinates of a subsystem
+/// that its loops let follow; empty: none do.
 Eigen::MatrixXd find_following(std::size_t subsystem, const Linearised& all);
 
 }  // namespace spoke::vibration

@@ -4,12 +4,12 @@
 
 #include <cassert>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "engine/steady/output_derivatives.h"
 #include "engine/steady/state_space.h"
 #include "engine/support/dense.h"
+#include "engine/vibration/blade_amplitude.h"
 #include "engine/vibration/fixed_modes.h"
 #include "engine/vibration/multi_blade_inputs.h"
 #include "engine/vibration/multi_blade_outputs.h"
@@ -20,55 +20,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// An amplitude of a pattern: blades have its values times 1, cos n psi_b, sin n psi_b or (-1)^b.
-struct Amplitude {
-  std::size_t pattern = 0;
-  int multiple = 0;  ///< n
-  bool is_sine = false;
-  bool is_differential = false;
-  Index at = 0;      ///< of its coordinates among all
-  std::string name;  ///< "collective"
-
-  double at_azimuth(double psi) const {
-    if (multiple == 0 || is_differential) return 1.0;
-    return is_sine ? std::sin(multiple * psi) : std::cos(multiple * psi);
-  }
-  /// Number of blades by the sum of the squares of what is above.
-  double size() const { return multiple == 0 || is_differential ? 1.0 : 2.0; }
-};
-
-/// Means over the azimuth of a product with 1, cos psi and sin psi.
-struct Means {
-  double mean, cosine, sine;
-  MatrixXd of(const Turning& values) const {
-    return mean * values.mean + cosine * values.cosine + sine * values.sine;
-  }
-};
-
-/// Returns the mean over a turn of the product of two patterns and what follows it.
-Means average(const Amplitude& a, const Amplitude& b) {
-  Means means{0.0, 0.0, 0.0};
-  if (a.is_differential != b.is_differential) return means;
-  const int count = a.multiple + b.multiple + 3;
-  for (int k = 0; k < count; ++k) {
-    const double psi = 2.0 * std::numbers::pi * k / count;
-    const double product = a.at_azimuth(psi) * b.at_azimuth(psi) / count;
-    means.mean += product;
-    means.cosine += product * std::cos(psi);
-    means.sine += product * std::sin(psi);
-  }
-  for (double* mean : {&means.mean, &means.cosine, &means.sine})
-    if (std::abs(*mean) < 1e-12) *mean = 0.0;  // round-off
-  return means;
-}
-
-/// Returns the mean over a turn of T h times a pattern.
-VectorXd average_on_hub(const Turning& T, const Turning& h, const Amplitude& by) {
-  static const Amplitude kCosine{.multiple = 1}, kSine{.multiple = 1, .is_sine = true}, kAll{};
-  return T.mean * average(kAll, by).of(h) + T.cosine * average(kCosine, by).of(h) +
-         T.sine * average(kSine, by).of(h);
-}
 
 /// Patterns that have a problem of their own, or that meet at the hub.
 struct Group {
@@ -107,6 +58,8 @@ class MultiBladeAssembly {
   void add_blade_inputs(std::size_t family);
   void add_standing_inputs();
   void add_hub_inputs();
+  std::vector<Index> list_coordinates(const Group& group) const;
+  SecondOrder assemble(const Group& group, Index size) const;
   void add_group(const Group& group);
   void add_hub_rows(Index row, const SecondOrder& by_hub);
   void add_blade_outputs(std::size_t family);
@@ -238,32 +191,37 @@ void MultiBladeAssembly::add_hub_inputs() {
   if (has_axle()) add_input({"axle / torque", "N m"}, VectorXd::Unit(size_, hub_size() - 1));
 }
 
-/// Adds the rows of A and B of coordinates that move together. Amplitudes are 1/sqrt(N), or of
-/// pairs sqrt(2/N), of the frame's orthonormal coordinates, and so are their equations.
-void MultiBladeAssembly::add_group(const Group& group) {
+/// Returns the numbers of a group's coordinates among all: the hub's first.
+std::vector<Index> MultiBladeAssembly::list_coordinates(const Group& group) const {
   std::vector<Index> at;
   const auto append = [&at](Index first, Index count) {
     for (Index k = 0; k < count; ++k) at.push_back(first + k);
   };
+  if (group.has_hub) append(0, hub_size());
+  for (const std::size_t k : group.patterns)
+    append(frame_.start(k), frame_.model.subsystem(k).M.rows());
+  return at;
+}
+
+/// Returns the matrices of a group. Amplitudes are 1/sqrt(N), or of pairs sqrt(2/N), of the frame's
+/// orthonormal coordinates, and so are their equations.
+SecondOrder MultiBladeAssembly::assemble(const Group& group, Index size) const {
   const steady::LinearModel& model = frame_.model;
+  const MatrixXd zero = MatrixXd::Zero(size, size);
+  SecondOrder all{zero, zero, zero};
   const Index h = group.has_hub ? hub_size() : 0;
-  append(0, h);
-  for (const std::size_t k : group.patterns) append(frame_.start(k), model.subsystem(k).M.rows());
-  const Index n = std::ssize(at);
-  if (group.has_hub) steady::require_few_coupled(n);
-  MatrixXd M = MatrixXd::Zero(n, n), C = M, K = M;
   if (group.has_hub) {
-    M.topLeftCorner(h, h) = model.M;
-    C.topLeftCorner(h, h) = model.C;
-    K.topLeftCorner(h, h) = model.K;
+    all.M.topLeftCorner(h, h) = model.M;
+    all.C.topLeftCorner(h, h) = model.C;
+    all.K.topLeftCorner(h, h) = model.K;
   }
   Index row = h;
   for (const std::size_t k : group.patterns) {
     const steady::LinearSubsystem& own = model.subsystem(k);
     const Index rows = own.M.rows();
-    M.block(row, row, rows, rows) = own.M;
-    C.block(row, row, rows, rows) = own.C;
-    K.block(row, row, rows, rows) = own.K;
+    all.M.block(row, row, rows, rows) = own.M;
+    all.C.block(row, row, rows, rows) = own.C;
+    all.K.block(row, row, rows, rows) = own.K;
     if (group.has_hub) {
       const steady::HubCoupling& hub = model.couplings[k];
       const BladePattern& pattern = frame_.patterns[k];
@@ -272,29 +230,39 @@ void MultiBladeAssembly::add_group(const Group& group) {
         whole.block(row, 0, rows, h) = bh / scale;
         whole.block(0, row, h, rows) = hb * scale;
       };
-      couple(hub.M_bh, hub.M_hb, M);
-      couple(hub.C_bh, hub.C_hb, C);
-      couple(hub.K_bh, hub.K_hb, K);
+      couple(hub.M_bh, hub.M_hb, all.M);
+      couple(hub.C_bh, hub.C_hb, all.C);
+      couple(hub.K_bh, hub.K_hb, all.K);
     }
     row += rows;
   }
-  MatrixXd F(n, std::ssize(forces_));
-  for (std::size_t k = 0; k < forces_.size(); ++k) F.col(static_cast<Index>(k)) = forces_[k](at);
-  const LuFactors mass(M);
-  const MatrixXd by_x = -mass.solve(K), by_rate = -mass.solve(C);
-  MatrixXd by_input(n, F.cols());
-  if (F.cols() > 0) by_input = mass.solve(F);  // Eigen does not solve for empty blocks
-  std::vector<Index> all_inputs;
-  for (Index k = 0; k < F.cols(); ++k) all_inputs.push_back(k);
+  return all;
+}
+
+/// Adds the rows of A and B of coordinates that move together: x'' = -M^-1 (K x + C x' - F u).
+void MultiBladeAssembly::add_group(const Group& group) {
+  const std::vector<Index> at = list_coordinates(group);
+  const Index n = std::ssize(at), inputs = std::ssize(forces_);
+  if (group.has_hub) steady::require_few_coupled(n);
+  const SecondOrder own = assemble(group, n);
+  const LuFactors mass(own.M);
+  const MatrixXd by_x = -mass.solve(own.K), by_rate = -mass.solve(own.C);
+  MatrixXd F(n, inputs), by_input(n, inputs);
+  std::vector<Index> columns;
+  for (Index k = 0; k < inputs; ++k) {
+    F.col(k) = forces_[static_cast<std::size_t>(k)](at);
+    columns.push_back(k);
+  }
+  if (inputs > 0) by_input = mass.solve(F);  // Eigen does not solve for empty blocks
   A_.add(0, at, size_, at, MatrixXd::Identity(n, n));
   A_.add(size_, at, 0, at, by_x);
   A_.add(size_, at, size_, at, by_rate);
-  B_.add(size_, at, 0, all_inputs, by_input);
+  B_.add(size_, at, 0, columns, by_input);
   if (!group.has_hub) return;
   hub_group_ = at;
-  hub_by_x_ = by_x.topRows(h);
-  hub_by_rate_ = by_rate.topRows(h);
-  hub_by_input_ = by_input.topRows(h);
+  hub_by_x_ = by_x.topRows(hub_size());
+  hub_by_rate_ = by_rate.topRows(hub_size());
+  hub_by_input_ = by_input.topRows(hub_size());
 }
 
 /// Adds what outputs from `row` on show of the hub's coordinates, by these, their rates and their

@@ -379,7 +379,8 @@ void compare(const LinearSystem& system, const MatrixXd& linear, const Run& run,
   for (std::size_t k = 0; k < 3; ++k) {
     check(run.tips[k], "blades 1 to 3 / tip.", names[k], tip);
     check(run.moments[k], "blades 1 to 3 / near.moment.", names[k], moment);
-    check(run.shakes[k], "blades 1 to 3 / shake.", names[k], shake);
+    // Accelerations of the method of a run follow with more error.
+    check(run.shakes[k], "blades 1 to 3 / shake.", names[k], 5.0 * shake);
   }
 }
 
@@ -403,6 +404,7 @@ TEST_CASE("multi-blade system: a run under a small torque of the drive answers l
   Scenario scenario = make_machine(3);
   scenario.space->hub.drive = TorqueDrive{Curve(0.0), 0.0};
   scenario.initial.speed = kRate;
+  scenario.initial.state = InitialState::equilibrium;
   const LinearSystem system = solve_linear_system(scenario, {kRate});
   CHECK(system.states[12].name == "support / axle");
   const MatrixXd linear = simulate_linear(system, input_of(system, "axle / torque"), kSmall);
