@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "models/plane/plane.h"
@@ -30,9 +31,11 @@ struct LoadPoint {
 /// The course of a load over time.
 struct LoadCourse {
   Curve factor;
-  double ramp = 0.0;  ///< [s]
+  double ramp = 0.0;   ///< [s]
+  std::string name{};  ///< of the load; may be empty
+  double scale = 1.0;  ///< factor that the embedding program has set
 
-  double value(double t) const { return factor.value(t) * calc_rise(t, ramp); }
+  double value(double t) const { return factor.value(t) * calc_rise(t, ramp) * scale; }
 };
 
 /// A force and a moment on one body, as they act at each of its points, times weight and course.

@@ -40,8 +40,9 @@ class Target {
   bool is_there_ = false;
 };
 
-std::shared_ptr<const LoadCourse> course_of(double ramp, const Curve& factor) {
-  return std::make_shared<const LoadCourse>(LoadCourse{factor, ramp});
+template <class Load>
+std::shared_ptr<const LoadCourse> course_of(const Load& load) {
+  return std::make_shared<const LoadCourse>(LoadCourse{load.factor, load.ramp, load.name});
 }
 
 /// Returns the element of a body that holds a station of its beam.
@@ -70,7 +71,7 @@ bool carries(const FlexibleBody& body, double station) {
 
 /// Returns a load on a solid. Traction becomes the force that it makes.
 BodyLoad<Space> make_solid_load(const spatial::PointLoad& load, const spatial::SolidPart& part) {
-  BodyLoad<Space> made{{}, load.frame, load.force, load.moment, course_of(load.ramp, load.factor)};
+  BodyLoad<Space> made{{}, load.frame, load.force, load.moment, course_of(load)};
   if (load.traction)
     made.force =
         *load.traction *
@@ -88,8 +89,7 @@ void add_point_load(const spatial::PointLoad& load, const spatial::Tree& tree, c
       loads[j].push_back(make_solid_load(load, *solid));
       continue;
     }
-    BodyLoad<Space> made{
-        {}, load.frame, load.force, load.moment, course_of(load.ramp, load.factor)};
+    BodyLoad<Space> made{{}, load.frame, load.force, load.moment, course_of(load)};
     if (const auto* body = std::get_if<FlexibleBody>(&tree.bodies[j].shape)) {
       const double station = load.position.value_or(end_of(tree, *body));
       if (!carries(*body, station)) continue;
@@ -106,11 +106,8 @@ void add_distributed_load(const spatial::DistributedLoad& load, const spatial::T
   for (std::size_t j = 0; j < tree.bodies.size(); ++j) {
     const auto* body = std::get_if<FlexibleBody>(&tree.bodies[j].shape);
     if (!body || !target.holds(tree.bodies[j])) continue;
-    BodyLoad<Space> made{{},
-                         load.frame,
-                         load.force_per_length,
-                         load.moment_per_length,
-                         course_of(load.ramp, load.factor)};
+    BodyLoad<Space> made{
+        {}, load.frame, load.force_per_length, load.moment_per_length, course_of(load)};
     const double to = load.to.value_or(end_of(tree, *body));
     for (std::size_t e = 0; e + 1 < body->nodes.size(); ++e) {
       const double begin = std::max(body->nodes[e], load.from);

@@ -180,12 +180,13 @@ void move_hub_loads(const spatial::Model& model, const space::Rotation& to_axis,
                     TreeBody<Space>& hub) {
   for (const spatial::HubLoad& load : model.hub_loads) {
     const space::HubLoad made = make_hub_load(load, to_axis);
-    BodyLoad<Space> moved{{},
-                          load.frame == spatial::LoadFrame::inertial ? spatial::LoadFrame::inertial
-                                                                     : spatial::LoadFrame::body,
-                          made.force,
-                          made.moment,
-                          std::make_shared<const LoadCourse>(LoadCourse{load.factor, load.ramp})};
+    BodyLoad<Space> moved{
+        {},
+        load.frame == spatial::LoadFrame::inertial ? spatial::LoadFrame::inertial
+                                                   : spatial::LoadFrame::body,
+        made.force,
+        made.moment,
+        std::make_shared<const LoadCourse>(LoadCourse{load.factor, load.ramp, load.name})};
     moved.points.push_back({0, 0.0, 1.0, made.position});
     hub.loads.push_back(std::move(moved));
   }

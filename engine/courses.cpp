@@ -1,0 +1,175 @@
+// Finds loads of the system by the names that the scenario gives them, and replaces courses.
+
+#include "engine/courses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "engine/simulation/jumps.h"
+#include "engine/simulation/simulation_core.h"
+#include "models/error.h"
+#include "models/reader/scenario_check.h"
+#include "models/support/nearest_name.h"
+
+namespace spoke {
+namespace {
+
+/// Visits the loads of a rotor or of a model in space.
+template <class Model, class Visit>
+void visit_loads(const Model& model, const Visit& visit) {
+  for (const auto& load : model.loads) visit(load.name);
+  for (const auto& load : model.distributed_loads) visit(load.name);
+  if constexpr (requires { model.drags; })
+    for (const auto& drag : model.drags) visit(drag.name);
+  for (const auto& load : model.hub_loads) visit(load.name);
+}
+
+/// The courses of one name in a system, and what they were: replaced as a whole.
+template <class World>
+class NamedLoads {
+ public:
+  /// `hub_loads`: those of the scenario that is simulated.
+  template <class HubLoads>
+  NamedLoads(System<World>& system, const HubLoads& hub_loads, std::string_view name) {
+    const auto take = [&](auto& load) {
+      if (load.course->name == name) courses_.push_back({&load.course, load.course});
+    };
+    for (Subsystem<World>& subsystem : system.subsystems)
+      for (TreeBody<World>& body : subsystem.bodies) {
+        for (BodyLoad<World>& load : body.loads) take(load);
+        for (BodyDrag<World>& drag : body.drags) take(drag);
+      }
+    // On a support they are among the loads of the bodies.
+    for (std::size_t k = 0; k < system.hub_loads.size(); ++k)
+      if (hub_loads[k].name == name)
+        factors_.push_back({&system.hub_loads[k].factor, hub_loads[k].factor, {}});
+  }
+
+  void multiply(double factor) {
+    for (const NamedCourse& load : courses_) {
+      LoadCourse course = *load.before;
+      course.scale = factor;
+      *load.place = std::make_shared<const LoadCourse>(std::move(course));
+    }
+    for (HubFactor& load : factors_) {
+      std::vector<double> values = load.given.values();
+      for (double& value : values) value *= factor;
+      load.before = std::exchange(*load.place, Curve(load.given.times(), std::move(values)));
+    }
+  }
+  void put_back() {
+    for (const NamedCourse& load : courses_) *load.place = load.before;
+    for (const HubFactor& load : factors_) *load.place = load.before;
+  }
+
+ private:
+  struct NamedCourse {
+    std::shared_ptr<const LoadCourse>* place;
+    std::shared_ptr<const LoadCourse> before;
+  };
+  struct HubFactor {
+    Curve* place;
+    Curve given, before;
+  };
+  std::vector<NamedCourse> courses_;
+  std::vector<HubFactor> factors_;
+};
+
+void require_factor(const Scenario& scenario, std::string_view load, double factor) {
+  const std::vector<std::string> names = load_names(scenario);
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  if (names.empty())
+    throw InputError("the load \"" + std::string(load) + "\": no load of the scenario has a name");
+  if (std::find(views.begin(), views.end(), load) == views.end())
+    throw InputError("the load " + describe_unknown(std::string(load), views));
+  if (!std::isfinite(factor))
+    throw InputError("the factor of the load \"" + std::string(load) +
+                     "\" is not finite, expected a number");
+}
+
+/// Calls `use` with the loads of a name.
+template <class Use>
+void with_loads(SimulationCore& core, std::string_view name, const Use& use) {
+  if (SystemContext<Plane>* plane = core.model->plane()) {
+    NamedLoads<Plane> loads(plane->system, core.scenario.rotor.hub_loads, name);
+    return use(loads);
+  }
+  NamedLoads<Space> loads(core.model->space()->system, core.scenario.space->hub_loads, name);
+  use(loads);
+}
+
+space::DrivenMotion course_of(const JointCourse& joint) {
+  return space::SaidMotion{joint.begin, joint.motion.value, joint.motion.velocity,
+                           joint.motion.acceleration};
+}
+
+/// Throws InputError unless all courses could be put in force.
+void require_courses(SimulationCore& core, const Courses& courses) {
+  check_drive(courses.drive);
+  if (prescribes_motion(courses.drive) != prescribes_motion(core.model->drive()))
+    throw InputError(
+        "hub.drive: the drive to go back to and the one in force do not both "
+        "prescribe the rotation of the hub, expected two of one kind");
+  for (const JointCourse& joint : courses.joints) {
+    core.joints("the motion of a joint").said_motion({joint.tree, joint.joint, joint.coordinate});
+    const CoordinateMotion& motion = joint.motion;
+    for (const double value : {joint.begin, motion.value, motion.velocity, motion.acceleration})
+      if (!std::isfinite(value))
+        throw InputError("the motion of a joint to go back to is not finite, expected numbers");
+  }
+  for (const LoadFactor& load : courses.loads)
+    require_factor(core.scenario, load.load, load.factor);
+}
+
+}  // namespace
+
+std::vector<std::string> load_names(const Scenario& scenario) {
+  std::vector<std::string> names;
+  const auto add = [&names](const std::string& name) {
+    if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
+      names.push_back(name);
+  };
+  if (scenario.space)
+    visit_loads(*scenario.space, add);
+  else
+    visit_loads(scenario.rotor, add);
+  return names;
+}
+
+void set_load_factor(Simulation& simulation, std::string_view load, double factor) {
+  SimulationCore& core = core_of(simulation);
+  core.require_state("go on from with another factor of a load");
+  require_factor(core.scenario, load, factor);
+  with_loads(core, load, [&](auto& loads) {
+    loads.multiply(factor);
+    try {
+      core.renew();
+    } catch (...) {
+      loads.put_back();
+      throw;
+    }
+  });
+}
+
+void restore(Simulation& simulation, const SavedState& state, const Courses& courses) {
+  SimulationCore& core = core_of(simulation);
+  require_courses(core, courses);
+  core.restore(state);  // changes nothing if it throws; nothing below does
+  core.model->drive() = courses.drive;
+  const double t = simulation.time();
+  replace_jumps(
+      kDriveSource, t,
+      find_drive_jumps(courses.drive, t, core.scenario.integration.duration, core.step_size),
+      core.jumps);
+  for (const JointCourse& joint : courses.joints)
+    core.joints("the motion of a joint").said_motion({joint.tree, joint.joint, joint.coordinate}) =
+        course_of(joint);
+  for (const LoadFactor& load : courses.loads)
+    with_loads(core, load.load, [&](auto& loads) { loads.multiply(load.factor); });
+}
+
+}  // namespace spoke

@@ -1,0 +1,57 @@
+#pragma once
+
+// What an embedding program sets between steps, beyond Simulation's own functions: factors of the
+// scenario's loads, and all that was set as a value, to go back with to a saved state.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/saved_state.h"
+#include "engine/simulation.h"
+#include "models/drive.h"
+#include "spoke/export.h"
+
+namespace spoke {
+
+/// A factor of all loads of one name in a scenario.
+struct LoadFactor {
+  std::string load;     ///< name of the loads
+  double factor = 1.0;  ///< multiplies what the scenario says, its own factor and ramp included
+};
+
+/// A motion of a joint's coordinate that Simulation::set_joint_motion() has set: from a time on it
+/// is value + velocity s + acceleration s^2/2, with s the time since.
+struct JointCourse {
+  int tree = 0;             ///< blade or subsystem, from 0, as of Simulation::joint_index()
+  int joint = 0;            ///< as Simulation::joint_index() returns it
+  int coordinate = 0;       ///< from 0
+  double begin = 0.0;       ///< time from which it holds [s]
+  CoordinateMotion motion;  ///< at that time
+};
+
+/// Courses that a program has set, in force beside a state.
+struct Courses {
+  Drive drive{};
+  std::vector<JointCourse> joints{};  ///< of coordinates that the scenario leaves to the program
+  std::vector<LoadFactor> loads{};
+};
+
+/// Multiplies the loads of a name, point loads, distributed ones, drags and loads on the hub, by a
+/// factor from the next step on; 1 is what the scenario says, and leaves its bits. Like other
+/// changes between steps it is the caller's to keep. Throws InputError, with the nearest name, if
+/// no load has that name, or if the factor is not finite; else like Simulation::set_drive(). The
+/// simulation then stays as it is.
+SPOKE_EXPORT void set_load_factor(Simulation& simulation, std::string_view load, double factor);
+
+/// Returns the names of a scenario's loads, each once, in the order in which they come.
+SPOKE_EXPORT std::vector<std::string> load_names(const Scenario& scenario);
+
+/// Goes to a saved state as Simulation::restore() does, together with the courses that were in
+/// force when it was saved: these need not go on from those in force now. Coordinates and loads
+/// that `courses` does not name keep theirs. The following steps have the bits of the run that was
+/// saved. Throws InputError like restore(), or if a joint or load is not there, or if the drive is
+/// of another kind of motion than the one in force; the simulation then stays as it is.
+SPOKE_EXPORT void restore(Simulation& simulation, const SavedState& state, const Courses& courses);
+
+}  // namespace spoke
