@@ -178,6 +178,7 @@ std::vector<Command> make_commands() {
       {.name = "study", .summary = kStudySummary},
       {.name = "import", .summary = kImportSummary},
       {.name = "export", .summary = kExportSummary},
+      {.name = "fmu", .summary = kFmuSummary},
       {.name = "compare", .summary = kCompareSummary},
       {.name = "predict", .summary = kPredictSummary},
       {.name = "trace",

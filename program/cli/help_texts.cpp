@@ -6,6 +6,7 @@ namespace spoke::cli {
 
 const char* const kStudySummary = "Run a scenario many times, with other values";
 const char* const kImportSummary = "Make a scenario of blade and tower files of other programs";
+const char* const kFmuSummary = "Make an FMU of a scenario, for other programs to simulate with";
 const char* const kExportSummary = "Write a blade of a scenario as files of another program";
 const char* const kCompareSummary = "Measure which executor and number of threads is fastest here";
 const char* const kPredictSummary = "Predict how fast a step is on more threads than there are";
@@ -183,6 +184,7 @@ const char* const kProgramText = R"(Examples:
   spoke critical models/nrel_5mw_rotor.toml --of speed --from 0 --to 4
   spoke import blade_BeamDyn.dat --out blade.toml
   spoke export beamdyn models/nrel_5mw_rotor.toml --out nrel_5mw_BeamDyn.dat
+  spoke fmu models/wu_haug_rotor.toml --out rotor.fmu
   spoke compare models/wu_haug_rotor.toml
   spoke predict models/wu_haug_rotor.toml
   spoke trace models/wu_haug_rotor.toml

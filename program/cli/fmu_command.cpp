@@ -1,0 +1,72 @@
+// Makes an FMU of a scenario, writes it, and says what importers see.
+
+#include "program/cli/fmu_command.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <filesystem>
+
+#include "engine/output_file.h"
+#include "models/count_text.h"
+#include "models/error.h"
+#include "program/cli/build_simulation.h"
+#include "program/cli/report.h"
+#include "program/cli/results_folder.h"
+#include "program/fmu/make_fmu.h"
+
+namespace spoke::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Returns the name of the FMU: that of its file without the ending. Throws InputError.
+std::string name_of(const fs::path& out) {
+  const std::string name = out.stem().string();
+  if (out.extension() != ".fmu" || name.empty())
+    throw InputError("--out " + out.string() + ": expected a file NAME.fmu");
+  return name;
+}
+
+/// Prints signals, by their first words: all of a model may be hundreds.
+void print_signals(const char* label, const std::vector<std::string>& names) {
+  constexpr std::size_t kShown = 8;
+  if (names.empty()) return print_line(label, "none");
+  for (std::size_t k = 0; k < names.size() && k < kShown; ++k)
+    print_line(k == 0 ? label : "", names[k]);
+  if (names.size() > kShown) print_line("", fmt::format("and {} more", names.size() - kShown));
+}
+
+void print(const fmu::Fmu& made, const Simulation& simulation, const std::string& out) {
+  print_title(simulation.scenario().title);
+  std::vector<std::string> inputs, outputs;
+  for (const auto& input : made.inputs)
+    inputs.push_back(
+        fmt::format("{} [{}], {} at the start", input->name, input->unit, input->start));
+  for (const std::string& output : made.outputs)
+    outputs.push_back(
+        fmt::format("{} [{}]", output, simulation.sensor_units()[simulation.sensor_index(output)]));
+  print_signals("inputs", inputs);
+  print_signals("outputs", outputs);
+  print_line("step",
+             fmt::format("{} s; communication steps are multiples of it", simulation.step_size()));
+  print_line("written", out);
+}
+
+}  // namespace
+
+int make_fmu(const Arguments& arguments, const FmuArguments& own) {
+  fmu::FmuRequest request{arguments.scenario,  arguments.overrides, name_of(arguments.out),
+                          fmu::find_library(), own.inputs,          own.outputs};
+  require_no_folder(arguments.out);
+  const Scenario scenario = read_scenario(arguments.scenario, arguments.overrides);
+  warn_of_oddities(arguments.scenario, scenario);
+  SimulationOptions options;
+  options.executor = ExecutorKind::serial;
+  const Simulation simulation = build_simulation(arguments.scenario, scenario, options);
+  const fmu::Fmu made = fmu::make_fmu(request, simulation);
+  replace_file(arguments.out, made.bytes);
+  print(made, simulation, arguments.out);
+  return 0;
+}
+
+}  // namespace spoke::cli

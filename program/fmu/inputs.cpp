@@ -1,0 +1,236 @@
+// Torque and speed of the drive, factors of loads, and joints that the scenario leaves to the
+// program.
+
+#include "program/fmu/inputs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include "models/drive.h"
+#include "models/error.h"
+#include "models/support/nearest_name.h"
+#include "program/fmu/speed_course.h"
+
+namespace spoke::fmu {
+namespace {
+
+/// Whether a speed is the one asked for but for round-off.
+bool is_there(double speed, double target) {
+  return std::abs(speed - target) <= 1e-12 * (1.0 + std::abs(target));
+}
+
+class TorqueInput final : public Input {
+ public:
+  explicit TorqueInput(const Drive& drive)
+      : Input({"drive.torque", "N m", "Torque of the drive on the hub",
+               calc_torque(drive, 0.0, calc_initial_speed(drive)), true, "drive"}) {}
+
+  void begin(const Simulation& simulation, Courses& courses) const override {
+    courses.drive = simulation.drive();
+  }
+  void apply(double value, double, Simulation& simulation, Courses& courses) const override {
+    const auto* torque = std::get_if<TorqueDrive>(&courses.drive);
+    if (torque && torque->torque.values() == std::vector{value}) return;
+    const Drive next = TorqueDrive{Curve(value), calc_initial_speed(courses.drive)};
+    simulation.set_drive(next);
+    courses.drive = next;
+  }
+};
+
+class SpeedInput final : public Input {
+ public:
+  explicit SpeedInput(const Drive& drive)
+      : Input({"drive.speed", "rad/s",
+               "Speed that the hub reaches at the end of a communication step",
+               calc_motion(drive, 0.0).speed, true, "drive"}) {}
+
+  void begin(const Simulation& simulation, Courses& courses) const override {
+    courses.drive = simulation.drive();
+  }
+  void apply(double value, double step, Simulation& simulation, Courses& courses) const override {
+    const double t = simulation.time();
+    const DriveMotion now = calc_motion(courses.drive, t);
+    if (now.speed == value && now.acceleration == 0.0) return;
+    const double speed = is_there(now.speed, value) ? value : now.speed;
+    const Drive next = SpeedTable{speed_course(t, now.angle, speed, value, step)};
+    simulation.set_drive(next);
+    courses.drive = next;
+  }
+};
+
+class LoadInput final : public Input {
+ public:
+  explicit LoadInput(const std::string& load)
+      : Input({"load." + load, "1", "Factor of the loads \"" + load + "\" of the scenario", 1.0,
+               true, "load." + load}),
+        load_(load) {}
+
+  void begin(const Simulation&, Courses& courses) const override {
+    courses.loads.push_back({load_, 1.0});
+  }
+  void apply(double value, double, Simulation& simulation, Courses& courses) const override {
+    double& factor =
+        std::find_if(courses.loads.begin(), courses.loads.end(), [this](const LoadFactor& load) {
+          return load.load == load_;
+        })->factor;
+    if (value == factor) return;  // another evaluation would change the last bits
+    set_load_factor(simulation, load_, value);
+    factor = value;
+  }
+
+ private:
+  std::string load_;
+};
+
+/// A coordinate of a joint, as it is found in a scenario.
+struct Coordinate {
+  int tree = 0;
+  std::string joint;
+  int coordinate = 0;
+  std::string name;  ///< "blade1.pitch", of several coordinates "blade1.joint.2"
+  std::string unit;  ///< "rad" or "m"
+};
+
+/// The motion of a joint's coordinate, by its velocity or its acceleration.
+class JointInput final : public Input {
+ public:
+  enum class Given { velocity, acceleration };
+
+  JointInput(const Coordinate& at, Given given)
+      : Input(describe(at, given)), at_(at), given_(given) {}
+
+  void begin(const Simulation& simulation, Courses& courses) const override {
+    const int joint = simulation.joint_index(at_.tree, at_.joint);
+    courses.joints.push_back({at_.tree, joint, at_.coordinate, 0.0,
+                              simulation.joint_motion(at_.tree, joint, at_.coordinate)});
+  }
+  void apply(double value, double step, Simulation& simulation, Courses& courses) const override {
+    JointCourse& course = find(simulation, courses);
+    CoordinateMotion next = simulation.joint_motion(course.tree, course.joint, course.coordinate);
+    if (given_ == Given::velocity) {
+      if (is_there(next.velocity, value)) next.velocity = value;
+      value = (value - next.velocity) / step;
+    }
+    // One that goes on as it is needs no other evaluation of the accelerations.
+    if (value == next.acceleration && (value != 0.0 || next.velocity == course.motion.velocity))
+      return;
+    next.acceleration = value;
+    simulation.set_joint_motion(course.tree, course.joint, course.coordinate, next);
+    course.begin = simulation.time();
+    course.motion = next;
+  }
+
+ private:
+  static Signal describe(const Coordinate& at, Given given) {
+    const bool is_velocity = given == Given::velocity;
+    return {at.name + (is_velocity ? ".velocity" : ".acceleration"),
+            at.unit + (is_velocity ? "/s" : "/s^2"),
+            is_velocity ? "Velocity that the joint reaches at the end of a communication step"
+                        : "Acceleration of the joint over a communication step",
+            0.0,
+            is_velocity,
+            at.name};
+  }
+  JointCourse& find(const Simulation& simulation, Courses& courses) const {
+    const int joint = simulation.joint_index(at_.tree, at_.joint);
+    return *std::find_if(courses.joints.begin(), courses.joints.end(),
+                         [this, joint](const JointCourse& course) {
+                           return course.tree == at_.tree && course.joint == joint &&
+                                  course.coordinate == at_.coordinate;
+                         });
+  }
+
+  Coordinate at_;
+  Given given_;
+};
+
+/// Adds the coordinates of a joint that the scenario leaves to the program. Joints without a name
+/// have none that an importer could see.
+void add_coordinates(const spatial::Joint& joint, int tree, const std::string& tree_name,
+                     std::vector<Coordinate>& found) {
+  if (joint.name.empty()) return;
+  const int count = spatial::count_coordinates(joint.kind);
+  for (int c = 0; c < count; ++c) {
+    const auto& motion = joint.coordinates[static_cast<std::size_t>(c)].motion;
+    if (!motion || !std::holds_alternative<spatial::ProgramMotion>(*motion)) continue;
+    found.push_back({tree, joint.name, c,
+                     tree_name + '.' + joint.name + (count > 1 ? '.' + std::to_string(c + 1) : ""),
+                     spatial::slides(joint.kind, c) ? "m" : "rad"});
+  }
+}
+
+std::vector<Coordinate> find_coordinates(const spatial::Model& model) {
+  std::vector<Coordinate> found;
+  int tree = 0;
+  for (std::size_t i = 0; i < model.blades.size(); ++i, ++tree)
+    for (const spatial::BladeJoint& joint : model.blades[i].joints)
+      add_coordinates(joint.joint, tree, "blade" + std::to_string(i + 1), found);
+  for (const spatial::Subsystem& subsystem : model.subsystems) {
+    for (const spatial::SubsystemJoint& joint : subsystem.joints)
+      add_coordinates(joint.joint, tree, subsystem.name, found);
+    ++tree;
+  }
+  return found;
+}
+
+bool is_free(const Scenario& scenario) {
+  const HubSupport support =
+      scenario.space ? scenario.space->hub.support : scenario.rotor.hub.support;
+  return support == HubSupport::free;
+}
+
+}  // namespace
+
+Input::Input(Signal signal)
+    : name(std::move(signal.name)),
+      unit(std::move(signal.unit)),
+      description(std::move(signal.description)),
+      start(signal.start),
+      is_usual(signal.is_usual),
+      subject_(std::move(signal.subject)) {}
+
+Inputs possible_inputs(const Simulation& simulation) {
+  Inputs inputs;
+  const Scenario& scenario = simulation.scenario();
+  const Drive& drive = simulation.drive();
+  if (prescribes_motion(drive))
+    inputs.push_back(std::make_unique<SpeedInput>(drive));
+  else if (!scenario.space || !is_free(scenario))  // in space a free hub has no drive
+    inputs.push_back(std::make_unique<TorqueInput>(drive));
+  for (const std::string& load : load_names(scenario))
+    inputs.push_back(std::make_unique<LoadInput>(load));
+  if (scenario.space)
+    for (const Coordinate& at : find_coordinates(*scenario.space))
+      for (const auto given : {JointInput::Given::velocity, JointInput::Given::acceleration})
+        inputs.push_back(std::make_unique<JointInput>(at, given));
+  return inputs;
+}
+
+Inputs choose_inputs(const Simulation& simulation, const std::vector<std::string>& names) {
+  Inputs possible = possible_inputs(simulation), chosen;
+  if (names.empty()) {
+    for (auto& input : possible)
+      if (input->is_usual) chosen.push_back(std::move(input));
+    return chosen;
+  }
+  std::vector<std::string_view> known;
+  for (const auto& input : possible) known.push_back(input->name);
+  for (const std::string& name : names) {
+    const auto found = std::find(known.begin(), known.end(), name);
+    if (known.empty()) throw InputError("the input \"" + name + "\": this model has no inputs");
+    if (found == known.end()) throw InputError("the input " + describe_unknown(name, known));
+    auto& input = possible[static_cast<std::size_t>(found - known.begin())];
+    if (!input) throw InputError("the input \"" + name + "\" is named twice, expected it once");
+    for (const auto& other : chosen)
+      if (other->excludes(*input))
+        throw InputError("the inputs \"" + other->name + "\" and \"" + name +
+                         "\" set the same motion, expected one of them");
+    chosen.push_back(std::move(input));
+  }
+  return chosen;
+}
+
+}  // namespace spoke::fmu

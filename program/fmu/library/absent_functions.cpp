@@ -1,0 +1,77 @@
+// Functions of FMI 3.0 for what this FMU does not have, as its modelDescription.xml says.
+
+#include <cstddef>
+
+#include "program/fmu/fmi3.h"
+#include "program/fmu/library/answers.h"
+#include "program/fmu/library/log.h"
+
+using spoke::fmu::MessageSink;
+using spoke::fmu::not_there;
+
+SPOKE_FMI3 fmi3Instance fmi3InstantiateModelExchange(fmi3String, fmi3String, fmi3String,
+                                                     fmi3Boolean, fmi3Boolean loggingOn,
+                                                     fmi3InstanceEnvironment instanceEnvironment,
+                                                     fmi3LogMessageCallback logMessage) {
+  MessageSink{instanceEnvironment, logMessage, loggingOn}.send(
+      fmi3Error, "this FMU is for co-simulation, not for model exchange");
+  return nullptr;
+}
+
+SPOKE_FMI3 fmi3Instance fmi3InstantiateScheduledExecution(
+    fmi3String, fmi3String, fmi3String, fmi3Boolean, fmi3Boolean loggingOn,
+    fmi3InstanceEnvironment instanceEnvironment, fmi3LogMessageCallback logMessage,
+    fmi3ClockUpdateCallback, fmi3LockPreemptionCallback, fmi3UnlockPreemptionCallback) {
+  MessageSink{instanceEnvironment, logMessage, loggingOn}.send(
+      fmi3Error, "this FMU is for co-simulation, not for scheduled execution");
+  return nullptr;
+}
+
+SPOKE_FMI3 fmi3Status fmi3EnterEventMode(fmi3Instance instance) {
+  return not_there(instance, "fmi3EnterEventMode", "event mode");
+}
+SPOKE_FMI3 fmi3Status fmi3EnterStepMode(fmi3Instance instance) {
+  return not_there(instance, "fmi3EnterStepMode", "event mode to leave");
+}
+SPOKE_FMI3 fmi3Status fmi3EnterConfigurationMode(fmi3Instance instance) {
+  return not_there(instance, "fmi3EnterConfigurationMode", "structural parameters");
+}
+SPOKE_FMI3 fmi3Status fmi3ExitConfigurationMode(fmi3Instance instance) {
+  return not_there(instance, "fmi3ExitConfigurationMode", "structural parameters");
+}
+SPOKE_FMI3 fmi3Status fmi3EvaluateDiscreteStates(fmi3Instance instance) {
+  return not_there(instance, "fmi3EvaluateDiscreteStates", "discrete states");
+}
+SPOKE_FMI3 fmi3Status fmi3UpdateDiscreteStates(fmi3Instance instance, fmi3Boolean*, fmi3Boolean*,
+                                               fmi3Boolean*, fmi3Boolean*, fmi3Boolean*,
+                                               fmi3Float64*) {
+  return not_there(instance, "fmi3UpdateDiscreteStates", "discrete states");
+}
+SPOKE_FMI3 fmi3Status fmi3GetNumberOfVariableDependencies(fmi3Instance instance, fmi3ValueReference,
+                                                          std::size_t*) {
+  return not_there(instance, "fmi3GetNumberOfVariableDependencies", "dependencies of elements");
+}
+SPOKE_FMI3 fmi3Status fmi3GetVariableDependencies(fmi3Instance instance, fmi3ValueReference,
+                                                  std::size_t[], fmi3ValueReference[],
+                                                  std::size_t[], fmi3DependencyKind[],
+                                                  std::size_t) {
+  return not_there(instance, "fmi3GetVariableDependencies", "dependencies of elements");
+}
+SPOKE_FMI3 fmi3Status fmi3GetDirectionalDerivative(fmi3Instance instance,
+                                                   const fmi3ValueReference[], std::size_t,
+                                                   const fmi3ValueReference[], std::size_t,
+                                                   const fmi3Float64[], std::size_t, fmi3Float64[],
+                                                   std::size_t) {
+  return not_there(instance, "fmi3GetDirectionalDerivative", "directional derivatives");
+}
+SPOKE_FMI3 fmi3Status fmi3GetAdjointDerivative(fmi3Instance instance, const fmi3ValueReference[],
+                                               std::size_t, const fmi3ValueReference[], std::size_t,
+                                               const fmi3Float64[], std::size_t, fmi3Float64[],
+                                               std::size_t) {
+  return not_there(instance, "fmi3GetAdjointDerivative", "adjoint derivatives");
+}
+SPOKE_FMI3 fmi3Status fmi3GetOutputDerivatives(fmi3Instance instance, const fmi3ValueReference[],
+                                               std::size_t, const fmi3Int32[], fmi3Float64[],
+                                               std::size_t) {
+  return not_there(instance, "fmi3GetOutputDerivatives", "derivatives of outputs");
+}

@@ -1,0 +1,198 @@
+// The functions of FMI 3.0 for co-simulation of which this FMU makes use.
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "models/error.h"
+#include "program/fmu/fmi3.h"
+#include "program/fmu/library/answers.h"
+#include "program/fmu/library/instance.h"
+
+namespace {
+
+using namespace spoke;
+using fmu::call;
+using fmu::Instance;
+using fmu::MessageSink;
+using fmu::ModelState;
+
+ModelState& find_state(Instance& instance, fmi3FMUState state) {
+  const auto found = std::find_if(instance.states.begin(), instance.states.end(),
+                                  [state](const auto& own) { return own.get() == state; });
+  if (found == instance.states.end())
+    throw InputError(
+        "the state is none of this instance, expected one of fmi3GetFMUState or "
+        "fmi3DeserializeFMUState");
+  return **found;
+}
+
+void require_pointers(bool are_there, const char* which) {
+  if (!are_there) throw InputError(std::string(which) + " is a null pointer");
+}
+
+std::string text_or_empty(fmi3String text) { return text ? text : ""; }
+
+}  // namespace
+
+SPOKE_FMI3 const char* fmi3GetVersion() { return "3.0"; }
+
+SPOKE_FMI3 fmi3Status fmi3SetDebugLogging(fmi3Instance instance, fmi3Boolean loggingOn,
+                                          std::size_t nCategories, const fmi3String categories[]) {
+  return call(instance, "fmi3SetDebugLogging", [&](Instance& own) {
+    require_pointers(nCategories == 0 || categories, "categories");
+    bool warnings = nCategories == 0;
+    for (std::size_t k = 0; k < nCategories; ++k) {
+      const std::string category = text_or_empty(categories[k]);
+      if (category != "logStatusWarning" && category != "logStatusError")
+        throw InputError("there is no category \"" + category +
+                         "\", expected logStatusWarning or logStatusError");
+      warnings = warnings || category == "logStatusWarning";
+    }
+    if (warnings) own.messages().warns = loggingOn;
+  });
+}
+
+SPOKE_FMI3 fmi3Instance fmi3InstantiateCoSimulation(
+    fmi3String instanceName, fmi3String instantiationToken, fmi3String resourcePath, fmi3Boolean,
+    fmi3Boolean loggingOn, fmi3Boolean eventModeUsed, fmi3Boolean, const fmi3ValueReference[],
+    std::size_t nRequiredIntermediateVariables, fmi3InstanceEnvironment instanceEnvironment,
+    fmi3LogMessageCallback logMessage, fmi3IntermediateUpdateCallback) {
+  const MessageSink messages{instanceEnvironment, logMessage, loggingOn};
+  fmi3Instance made = nullptr;
+  fmu::guard(messages, "fmi3InstantiateCoSimulation", [&] {
+    if (eventModeUsed) throw InputError("this FMU has no event mode");
+    if (nRequiredIntermediateVariables > 0)
+      throw InputError("this FMU has no intermediate variables");
+    auto instance = std::make_unique<Instance>(
+        fmu::InstanceRequest{text_or_empty(instanceName), text_or_empty(instantiationToken),
+                             text_or_empty(resourcePath), messages});
+    fmu::enlist(*instance);
+    made = instance.release();
+  });
+  return made;
+}
+
+SPOKE_FMI3 void fmi3FreeInstance(fmi3Instance instance) { delete fmu::strike_off(instance); }
+
+SPOKE_FMI3 fmi3Status fmi3EnterInitializationMode(fmi3Instance instance, fmi3Boolean, fmi3Float64,
+                                                  fmi3Float64 startTime,
+                                                  fmi3Boolean stopTimeDefined,
+                                                  fmi3Float64 stopTime) {
+  return call(instance, "fmi3EnterInitializationMode", [&](Instance& own) {
+    own.enter_initialization(startTime, stopTimeDefined ? std::optional(stopTime) : std::nullopt);
+  });
+}
+
+SPOKE_FMI3 fmi3Status fmi3ExitInitializationMode(fmi3Instance instance) {
+  return call(instance, "fmi3ExitInitializationMode",
+              [](Instance& own) { own.exit_initialization(); });
+}
+
+SPOKE_FMI3 fmi3Status fmi3Terminate(fmi3Instance instance) {
+  return call(instance, "fmi3Terminate", [](Instance& own) { own.terminate(); });
+}
+
+SPOKE_FMI3 fmi3Status fmi3Reset(fmi3Instance instance) {
+  return call(instance, "fmi3Reset", [](Instance& own) { own.reset(); });
+}
+
+SPOKE_FMI3 fmi3Status fmi3DoStep(fmi3Instance instance, fmi3Float64 currentCommunicationPoint,
+                                 fmi3Float64 communicationStepSize, fmi3Boolean,
+                                 fmi3Boolean* eventHandlingNeeded, fmi3Boolean* terminateSimulation,
+                                 fmi3Boolean* earlyReturn, fmi3Float64* lastSuccessfulTime) {
+  return call(instance, "fmi3DoStep", [&](Instance& own) {
+    require_pointers(
+        eventHandlingNeeded && terminateSimulation && earlyReturn && lastSuccessfulTime,
+        "one of the places for results");
+    *eventHandlingNeeded = *terminateSimulation = *earlyReturn = false;
+    *lastSuccessfulTime = own.time();
+    own.do_step(currentCommunicationPoint, communicationStepSize);
+    *lastSuccessfulTime = currentCommunicationPoint + communicationStepSize;
+  });
+}
+
+SPOKE_FMI3 fmi3Status fmi3GetFloat64(fmi3Instance instance,
+                                     const fmi3ValueReference valueReferences[],
+                                     std::size_t nValueReferences, fmi3Float64 values[],
+                                     std::size_t nValues) {
+  return call(instance, "fmi3GetFloat64", [&](Instance& own) {
+    if (nValues != nValueReferences) throw InputError("expected a value for each reference");
+    require_pointers(nValues == 0 || (valueReferences && values), "references or values");
+    own.get({valueReferences, nValueReferences}, {values, nValues});
+  });
+}
+
+SPOKE_FMI3 fmi3Status fmi3SetFloat64(fmi3Instance instance,
+                                     const fmi3ValueReference valueReferences[],
+                                     std::size_t nValueReferences, const fmi3Float64 values[],
+                                     std::size_t nValues) {
+  return call(instance, "fmi3SetFloat64", [&](Instance& own) {
+    if (nValues != nValueReferences) throw InputError("expected a value for each reference");
+    require_pointers(nValues == 0 || (valueReferences && values), "references or values");
+    own.set({valueReferences, nValueReferences}, {values, nValues});
+  });
+}
+
+// States.
+
+SPOKE_FMI3 fmi3Status fmi3GetFMUState(fmi3Instance instance, fmi3FMUState* FMUState) {
+  return call(instance, "fmi3GetFMUState", [&](Instance& own) {
+    require_pointers(FMUState, "the place of the state");
+    if (*FMUState) {  // memory of a state that is used again
+      find_state(own, *FMUState) = own.state();
+      return;
+    }
+    own.states.push_back(std::make_unique<ModelState>(own.state()));
+    *FMUState = own.states.back().get();
+  });
+}
+
+SPOKE_FMI3 fmi3Status fmi3SetFMUState(fmi3Instance instance, fmi3FMUState FMUState) {
+  return call(instance, "fmi3SetFMUState",
+              [&](Instance& own) { own.put(find_state(own, FMUState)); });
+}
+
+SPOKE_FMI3 fmi3Status fmi3FreeFMUState(fmi3Instance instance, fmi3FMUState* FMUState) {
+  return call(instance, "fmi3FreeFMUState", [&](Instance& own) {
+    if (!FMUState || !*FMUState) return;
+    const ModelState* state = &find_state(own, *FMUState);
+    std::erase_if(own.states, [state](const auto& each) { return each.get() == state; });
+    *FMUState = nullptr;
+  });
+}
+
+SPOKE_FMI3 fmi3Status fmi3SerializedFMUStateSize(fmi3Instance instance, fmi3FMUState FMUState,
+                                                 std::size_t* size) {
+  return call(instance, "fmi3SerializedFMUStateSize", [&](Instance& own) {
+    require_pointers(size, "the place of the size");
+    *size = own.write(find_state(own, FMUState)).size();
+  });
+}
+
+SPOKE_FMI3 fmi3Status fmi3SerializeFMUState(fmi3Instance instance, fmi3FMUState FMUState,
+                                            fmi3Byte serializedState[], std::size_t size) {
+  return call(instance, "fmi3SerializeFMUState", [&](Instance& own) {
+    require_pointers(serializedState, "the place of the bytes");
+    const std::string bytes = own.write(find_state(own, FMUState));
+    if (size < bytes.size())
+      throw InputError("there is place for " + std::to_string(size) + " bytes, expected " +
+                       std::to_string(bytes.size()));
+    std::memcpy(serializedState, bytes.data(), bytes.size());
+  });
+}
+
+SPOKE_FMI3 fmi3Status fmi3DeserializeFMUState(fmi3Instance instance,
+                                              const fmi3Byte serializedState[], std::size_t size,
+                                              fmi3FMUState* FMUState) {
+  return call(instance, "fmi3DeserializeFMUState", [&](Instance& own) {
+    require_pointers(serializedState && FMUState, "the bytes or the place of the state");
+    auto state = std::make_unique<ModelState>(
+        own.read({reinterpret_cast<const char*>(serializedState), size}));
+    own.states.push_back(std::move(state));
+    *FMUState = own.states.back().get();
+  });
+}

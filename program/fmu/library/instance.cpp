@@ -1,0 +1,208 @@
+// The simulation of an instance stands at a communication point; inputs wait there for the step.
+
+#include "program/fmu/library/instance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+#include <utility>
+
+#include "models/error.h"
+#include "models/text_file.h"
+
+namespace spoke::fmu {
+namespace {
+
+/// Share of a step by which times of the importer may differ from multiples of steps.
+constexpr double kSlack = 1e-4;
+
+Contents load_contents(const std::filesystem::path& resources) {
+  const std::filesystem::path file = resources / kContentsFile;
+  return read_contents(read_text(file, "the resources of this FMU"), file.string());
+}
+
+/// Lets a scenario go on as long as an importer likes, with the same step to the last bit: the
+/// duration is doubled. (Durations that are not whole numbers of steps are known by 1e-9 of it.)
+void extend(const Contents& contents, Scenario& scenario) {
+  constexpr double kMostSteps = 5e8;
+  scenario.integration.step = contents.step;
+  for (double count = scenario.integration.duration / contents.step; 2.0 * count <= kMostSteps;
+       count *= 2.0)
+    scenario.integration.duration *= 2.0;
+}
+
+SimulationOptions serial() {
+  SimulationOptions options;
+  options.executor = ExecutorKind::serial;
+  options.threads = 1;
+  options.window = 1;
+  return options;
+}
+
+Simulation make_simulation(const std::filesystem::path& resources, const Contents& contents) {
+  Scenario scenario = read_scenario((resources / contents.scenario).string(), contents.overrides);
+  extend(contents, scenario);
+  Simulation simulation(scenario, serial());
+  if (simulation.step_size() != contents.step)
+    throw Error(ErrorCode::internal, "the step of the simulation is not that of the scenario");
+  return simulation;
+}
+
+const char* name_of(Mode mode) {
+  switch (mode) {
+    case Mode::instantiated:
+      return "instantiated";
+    case Mode::initialization:
+      return "in initialization mode";
+    case Mode::step:
+      return "in step mode";
+    case Mode::terminated:
+      return "terminated";
+    case Mode::failed:
+      break;
+  }
+  return "failed, and can only be reset, freed or set to another state";
+}
+
+}  // namespace
+
+Instance::Instance(const InstanceRequest& request)
+    : name_(request.name), messages_(request.messages) {
+  if (request.resources.empty())
+    throw InputError("the path of the resources is missing, expected the folder of the FMU's");
+  contents_ = load_contents(request.resources);
+  if (request.token != contents_.token)
+    throw InputError("the instantiationToken is \"" + request.token + "\", expected \"" +
+                     contents_.token + "\", as in modelDescription.xml");
+  simulation_.emplace(make_simulation(request.resources, contents_));
+  if (!contents_.inputs.empty()) inputs_ = choose_inputs(*simulation_, contents_.inputs);
+  for (const auto& input : inputs_) {
+    values_.push_back({input->start});
+    input->begin(*simulation_, courses_);
+  }
+  courses_.drive = simulation_->drive();
+  for (const std::string& output : contents_.outputs)
+    outputs_.push_back(simulation_->sensor_index(output));
+  begin_ = state();
+}
+
+void Instance::require(bool is_allowed, const char* what) const {
+  if (!is_allowed) throw InputError(std::string(what) + ", but the instance is " + name_of(mode_));
+}
+
+void Instance::enter_initialization(double start, std::optional<double> stop) {
+  require(mode_ == Mode::instantiated, "initialization mode is entered once, after instantiation");
+  if (!std::isfinite(start) || (stop && !(*stop > start)))
+    throw InputError("the times of start and stop are not finite or not in order");
+  start_time_ = start;
+  mode_ = Mode::initialization;
+}
+
+void Instance::exit_initialization() {
+  require(mode_ == Mode::initialization, "initialization mode is left where it was entered");
+  mode_ = Mode::step;
+}
+
+void Instance::terminate() {
+  require(mode_ == Mode::step, "an instance is terminated in step mode");
+  mode_ = Mode::terminated;
+}
+
+void Instance::reset() { put(*begin_); }
+
+double Instance::time() const { return start_time_ + simulation_->time(); }
+
+void Instance::apply_inputs(double step) {
+  for (std::size_t k = 0; k < inputs_.size(); ++k)
+    if (values_[k].is_given) inputs_[k]->apply(values_[k].value, step, *simulation_, courses_);
+}
+
+void Instance::do_step(double point, double step) {
+  require(mode_ == Mode::step, "steps are made in step mode");
+  const double own = simulation_->step_size();
+  if (!(std::abs(point - time()) <= kSlack * own)) {
+    std::ostringstream text;
+    text << "the communication point is " << point << " s, expected " << time()
+         << " s, up to where the simulation has come";
+    throw InputError(text.str());
+  }
+  const double count = std::round(step / own);
+  if (!(count >= 1.0 && std::abs(step - count * own) <= kSlack * own)) {
+    std::ostringstream text;
+    text << "the communication step is " << step << " s, expected a multiple of the model's step, "
+         << own << " s";
+    throw InputError(text.str());
+  }
+  if (count > static_cast<double>(simulation_->planned_steps() - simulation_->steps()))
+    throw InputError("the simulation has made as many steps as it can");
+  mode_ = Mode::failed;  // unless all goes well
+  apply_inputs(step);
+  for (auto k = static_cast<std::int64_t>(count); k > 0; --k) simulation_->step();
+  mode_ = Mode::step;
+}
+
+void Instance::get(std::span<const fmi3ValueReference> references, std::span<double> values) const {
+  const std::size_t first_output = kFirstReference + inputs_.size();
+  for (const fmi3ValueReference reference : references)
+    if (reference >= first_output) {
+      if (reference >= first_output + outputs_.size())
+        throw InputError("there is no variable of value reference " + std::to_string(reference));
+      require(mode_ != Mode::instantiated && mode_ != Mode::failed,
+              "outputs have values from initialization mode on");
+    }
+  std::span<const double> sensors;
+  for (std::size_t k = 0; k < references.size(); ++k) {
+    const std::size_t reference = references[k];
+    if (reference >= first_output && sensors.empty()) sensors = simulation_->sensor_values();
+    values[k] = reference == kTimeReference ? time()
+                : reference < first_output  ? values_[reference - kFirstReference].value
+                                            : sensors[outputs_[reference - first_output]];
+  }
+}
+
+void Instance::set(std::span<const fmi3ValueReference> references, std::span<const double> values) {
+  require(mode_ == Mode::instantiated || mode_ == Mode::initialization || mode_ == Mode::step,
+          "inputs are set before a step");
+  for (std::size_t k = 0; k < references.size(); ++k) {
+    const std::size_t reference = references[k];
+    if (reference < kFirstReference || reference >= kFirstReference + inputs_.size())
+      throw InputError("there is no input of value reference " + std::to_string(reference));
+    if (!std::isfinite(values[k]))
+      throw InputError("the input \"" + inputs_[reference - kFirstReference]->name +
+                       "\" is not finite, expected a number");
+  }
+  for (std::size_t k = 0; k < references.size(); ++k) {
+    const std::size_t place = references[k] - kFirstReference;
+    InputValue& input = values_[place];
+    input.is_given = input.is_given || values[k] != inputs_[place]->start;
+    input.value = values[k];
+  }
+}
+
+ModelState Instance::state() const {
+  require(mode_ != Mode::failed, "a state is saved where there is one");
+  return {mode_, start_time_, values_, courses_, simulation_->save()};
+}
+
+void Instance::put(const ModelState& state) {
+  if (state.inputs.size() != inputs_.size())
+    throw InputError("the state is of an FMU with other inputs");
+  restore(*simulation_, state.simulation, state.courses);
+  courses_ = state.courses;
+  values_ = state.inputs;
+  start_time_ = state.start_time;
+  mode_ = state.mode;
+}
+
+std::string Instance::write(const ModelState& state) const {
+  return write_state(state, contents_.token);
+}
+
+ModelState Instance::read(std::string_view bytes) const {
+  ModelState state = read_state(bytes, contents_.token, begin_->courses.drive);
+  if (state.inputs.size() != inputs_.size()) throw InputError("the state has other inputs");
+  return state;
+}
+
+}  // namespace spoke::fmu

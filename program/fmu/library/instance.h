@@ -1,0 +1,80 @@
+#pragma once
+
+// One instance of an FMU: a simulation between two communication points.
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/simulation.h"
+#include "program/fmu/contents.h"
+#include "program/fmu/fmi3.h"
+#include "program/fmu/inputs.h"
+#include "program/fmu/library/log.h"
+#include "program/fmu/library/model_state.h"
+
+namespace spoke::fmu {
+
+/// What an importer says when it makes an instance.
+struct InstanceRequest {
+  std::string name;       ///< of the instance, for messages
+  std::string token;      ///< of the model description that it has read
+  std::string resources;  ///< folder of the FMU's resources
+  MessageSink messages;
+};
+
+/// An instance. All functions throw InputError where the importer may not call them, or not so,
+/// and the instance is as before; other errors of Spoke where the model has failed, and the
+/// instance may then only be reset, or set to another state.
+class Instance {
+ public:
+  /// Reads the scenario and starts its simulation.
+  explicit Instance(const InstanceRequest& request);
+
+  const std::string& name() const { return name_; }
+  MessageSink& messages() { return messages_; }
+
+  /// `start` and `stop`: the importer's time [s].
+  void enter_initialization(double start, std::optional<double> stop);
+  void exit_initialization();
+  void terminate();
+  void reset();
+  /// Makes steps from a communication point to the next one [s].
+  void do_step(double point, double step);
+  /// Returns the importer's time up to which the simulation has come [s].
+  double time() const;
+
+  void get(std::span<const fmi3ValueReference> references, std::span<double> values) const;
+  void set(std::span<const fmi3ValueReference> references, std::span<const double> values);
+
+  ModelState state() const;
+  void put(const ModelState& state);
+  std::string write(const ModelState& state) const;
+  ModelState read(std::string_view bytes) const;
+
+  /// States that the importer holds; it frees them, or they go with the instance.
+  std::vector<std::unique_ptr<ModelState>> states;
+
+ private:
+  void start();
+  void require(bool is_allowed, const char* what) const;
+  void apply_inputs(double step);
+
+  std::string name_;
+  MessageSink messages_;
+  Contents contents_;
+  std::optional<Simulation> simulation_;
+  Inputs inputs_;
+  std::vector<std::size_t> outputs_;  ///< places of the sensors
+  Courses courses_;
+  std::vector<InputValue> values_;
+  std::optional<ModelState> begin_;  ///< as it was made
+  Mode mode_ = Mode::instantiated;
+  double start_time_ = 0.0;
+};
+
+}  // namespace spoke::fmu

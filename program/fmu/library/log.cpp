@@ -1,0 +1,35 @@
+// Stands in for engine/support/log.cpp, whose lines go to a logger of spdlog: those of an FMU go to
+// its importer.
+
+#include "program/fmu/library/log.h"
+
+#include "engine/support/log.h"
+
+namespace spoke {
+namespace {
+
+thread_local const fmu::MessageSink* current = nullptr;
+
+}  // namespace
+
+bool is_heard(LogLevel level) {
+  return current && (level == LogLevel::error || (level == LogLevel::warning && current->warns));
+}
+
+void log(LogLevel level, const std::string& text) {
+  if (is_heard(level)) current->send(level == LogLevel::error ? fmi3Error : fmi3Warning, text);
+}
+
+namespace fmu {
+
+void MessageSink::send(fmi3Status status, const std::string& text) const noexcept {
+  if (!log || (status == fmi3Warning && !warns)) return;
+  log(environment, status, status == fmi3Warning ? "logStatusWarning" : "logStatusError",
+      text.c_str());
+}
+
+LogsTo::LogsTo(const MessageSink& sink) noexcept : before_(current) { current = &sink; }
+LogsTo::~LogsTo() { current = before_; }
+
+}  // namespace fmu
+}  // namespace spoke
