@@ -28,7 +28,7 @@ void visit_loads(const Model& model, const Visit& visit) {
   for (const auto& load : model.hub_loads) visit(load.name);
 }
 
-/// The courses of one name in a system, and what they were: replaced as a whole.
+/// The loads of one name in a system, and the factors that they had.
 template <class World>
 class NamedLoads {
  public:
@@ -36,7 +36,7 @@ class NamedLoads {
   template <class HubLoads>
   NamedLoads(System<World>& system, const HubLoads& hub_loads, std::string_view name) {
     const auto take = [&](auto& load) {
-      if (load.course->name == name) courses_.push_back({&load.course, load.course});
+      if (load.course->name == name) courses_.push_back({load.course, load.course->scale});
     };
     for (Subsystem<World>& subsystem : system.subsystems)
       for (TreeBody<World>& body : subsystem.bodies) {
@@ -50,11 +50,7 @@ class NamedLoads {
   }
 
   void multiply(double factor) {
-    for (const NamedCourse& load : courses_) {
-      LoadCourse course = *load.before;
-      course.scale = factor;
-      *load.place = std::make_shared<const LoadCourse>(std::move(course));
-    }
+    for (const NamedCourse& load : courses_) load.course->scale = factor;
     for (HubFactor& load : factors_) {
       std::vector<double> values = load.given.values();
       for (double& value : values) value *= factor;
@@ -62,14 +58,14 @@ class NamedLoads {
     }
   }
   void put_back() {
-    for (const NamedCourse& load : courses_) *load.place = load.before;
+    for (const NamedCourse& load : courses_) load.course->scale = load.before;
     for (const HubFactor& load : factors_) *load.place = load.before;
   }
 
  private:
   struct NamedCourse {
-    std::shared_ptr<const LoadCourse>* place;
-    std::shared_ptr<const LoadCourse> before;
+    std::shared_ptr<LoadCourse> course;  ///< of all copies of the load, those of readings too
+    double before;
   };
   struct HubFactor {
     Curve* place;

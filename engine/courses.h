@@ -32,9 +32,9 @@ struct JointCourse {
 
 /// Courses that a program has set, in force beside a state.
 struct Courses {
-  Drive drive{};
+  Drive drive{};                      ///< of the hub
   std::vector<JointCourse> joints{};  ///< of coordinates that the scenario leaves to the program
-  std::vector<LoadFactor> loads{};
+  std::vector<LoadFactor> loads{};    ///< of loads with a name
 };
 
 /// Multiplies the loads of a name, point loads, distributed ones, drags and loads on the hub, by a

@@ -98,7 +98,7 @@ void load_hub(const HubVector& wrench, const Ballast& ballast, System<Space>& su
                        spatial::LoadFrame::inertial,
                        wrench.head<3>(),
                        wrench.tail<3>(),
-                       std::make_shared<const LoadCourse>(LoadCourse{Curve(1.0)})};
+                       std::make_shared<LoadCourse>(LoadCourse{Curve(1.0)})};
   if (!falls) load.force -= ballast.mass * support.gravity;
   load.points.push_back({.element = 0, .s = 0.0, .weight = 1.0});
   support.subsystems[0].bodies.back().loads.push_back(std::move(load));

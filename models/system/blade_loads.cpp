@@ -83,8 +83,8 @@ void add(const std::vector<PlacedPoint>& points, const Load& load,
 }
 
 template <class Load>
-std::shared_ptr<const LoadCourse> course_of(const Load& load) {
-  return std::make_shared<const LoadCourse>(LoadCourse{load.factor, load.ramp, load.name});
+std::shared_ptr<LoadCourse> course_of(const Load& load) {
+  return std::make_shared<LoadCourse>(LoadCourse{load.factor, load.ramp, load.name});
 }
 
 void add_drag(const Drag& drag, const Mesh& mesh, double tip,

@@ -45,7 +45,7 @@ struct BodyLoad {
   LoadFrame frame = LoadFrame::hub;
   PositionOf<World> force = PositionOf<World>::Zero();  ///< [N], or [N/m]
   AngularOf<World> moment{};                            ///< [N m], or [N]
-  std::shared_ptr<const LoadCourse> course;
+  std::shared_ptr<LoadCourse> course;                   ///< shared by the copies of a load
 };
 
 /// A force and a moment on one body in space.
@@ -69,7 +69,7 @@ struct BodyLoad<Space> {
   spatial::LoadFrame frame = spatial::LoadFrame::hub;
   space::Position force = space::Position::Zero();  ///< [N], or [N/m]
   space::Angular moment = space::Angular::Zero();   ///< [N m], or [N]
-  std::shared_ptr<const LoadCourse> course;
+  std::shared_ptr<LoadCourse> course;               ///< shared by the copies of a load
 };
 
 /// Drag on one body, as it acts at each of its points, times weight and course.
@@ -77,9 +77,9 @@ template <class World>
 struct BodyDrag {
   std::vector<LoadPoint> points;
   DragFrame relative_to = DragFrame::inertial;
-  double linear = 0.0;     ///< [N s/m], or [N s/m^2]
-  double quadratic = 0.0;  ///< [N s^2/m^2], or [N s^2/m^3]
-  std::shared_ptr<const LoadCourse> course;
+  double linear = 0.0;                 ///< [N s/m], or [N s/m^2]
+  double quadratic = 0.0;              ///< [N s^2/m^2], or [N s^2/m^3]
+  std::shared_ptr<LoadCourse> course;  ///< shared by the copies of a load
 };
 
 /// The loads and drags on one body.

@@ -41,8 +41,8 @@ class Target {
 };
 
 template <class Load>
-std::shared_ptr<const LoadCourse> course_of(const Load& load) {
-  return std::make_shared<const LoadCourse>(LoadCourse{load.factor, load.ramp, load.name});
+std::shared_ptr<LoadCourse> course_of(const Load& load) {
+  return std::make_shared<LoadCourse>(LoadCourse{load.factor, load.ramp, load.name});
 }
 
 /// Returns the element of a body that holds a station of its beam.

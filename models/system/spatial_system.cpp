@@ -186,7 +186,7 @@ void move_hub_loads(const spatial::Model& model, const space::Rotation& to_axis,
                                                    : spatial::LoadFrame::body,
         made.force,
         made.moment,
-        std::make_shared<const LoadCourse>(LoadCourse{load.factor, load.ramp, load.name})};
+        std::make_shared<LoadCourse>(LoadCourse{load.factor, load.ramp, load.name})};
     moved.points.push_back({0, 0.0, 1.0, made.position});
     hub.loads.push_back(std::move(moved));
   }

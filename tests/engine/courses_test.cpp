@@ -1,0 +1,200 @@
+// Factors of loads that the program sets, and states with the courses that were in force.
+
+#include "engine/courses.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "models/error.h"
+#include "tests/contains.h"
+#include "tests/engine/space/system/models.h"
+#include "tests/message_of.h"
+
+using namespace spoke;
+using namespace spoke::test;
+
+namespace {
+
+const SimulationOptions kSerial{Formulation::structured, ExecutorKind::serial, 1, 1};
+
+/// A rotor in the plane with one load of each kind, three of them by one name.
+std::string planar(const std::string& factor) {
+  return R"(
+[hub]
+inertia = 5.0
+drive = { kind = "torque", torque = 2.0, initial_speed = 1.0 }
+[blade]
+count = 2
+length = 4.0
+bodies = 2
+elements = 2
+density = 2700.0
+area = 1e-4
+second_moment = 1e-8
+youngs_modulus = 7e10
+[[load]]
+name = "push"
+force = [0.0, 3.0]
+ramp = 0.1
+)" + factor +
+         R"(
+[[distributed_load]]
+name = "push"
+force_per_length = [0.0, -0.5]
+)" + factor +
+         R"(
+[[drag]]
+name = "air"
+linear_per_length = 0.3
+[[hub_load]]
+name = "push"
+torque = 1.5
+)" + factor +
+         R"(
+[integration]
+step = 0.005
+duration = 1.0
+)";
+}
+
+/// A model in space with loads on blade and hub; on a support, a load on the hub is one on a body.
+std::string turned(const std::string& support, const std::string& factor) {
+  return "world = \"space\"\n" + kTurnedHub + support + kBooms + R"(
+[[load]]
+name = "push"
+blade = 1
+force = [0.0, 1.0, 2.0]
+)" + factor +
+         R"(
+[[hub_load]]
+name = "push"
+torque = [0.0, 0.0, 1.0]
+force = [0.0, 0.5, 0.0]
+)" + factor +
+         "[integration]\nstep = 0.005\nduration = 1.0\n";
+}
+
+const std::string kMast = R"(
+[support]
+axle = { body = "mast" }
+body = [{ name = "mast", kind = "rigid", mass = 10.0, inertia = 2.0 }]
+joint = [{ parent = "ground", child = "mast", kind = "revolute", axis = [1.0, 0.0, 0.0], stiffness = 500.0, damping = 3.0 }]
+)";
+
+std::string half_at_once() { return "time = [0.0, 1.0]\nfactor = [0.5, 0.5]\n"; }
+
+std::vector<double> values_of(const Simulation& simulation) {
+  const auto values = simulation.sensor_values();
+  return {values.begin(), values.end()};
+}
+
+Simulation make(const std::string& text, const Overrides& overrides = {}) {
+  return Simulation(parse_scenario(text, "courses.toml", overrides), kSerial);
+}
+
+}  // namespace
+
+TEST_CASE("a factor of loads that the program sets is that of the scenario") {
+  for (const auto& texts : {std::pair{planar(""), planar(half_at_once())},
+                            std::pair{turned("", ""), turned("", half_at_once())},
+                            std::pair{turned(kMast, ""), turned(kMast, half_at_once())}}) {
+    // rk4 follows a jump exactly.
+    const Overrides exact{"integration.method=rk4", "integration.step=1e-4"};
+    Simulation simulation = make(texts.first, exact), expected = make(texts.second, exact);
+    Simulation plain = make(texts.first, exact);
+    set_load_factor(simulation, "push", 0.5);
+    for (Simulation* each : {&simulation, &expected, &plain}) each->run_until(0.1);
+    REQUIRE(simulation.sensor_names() == expected.sensor_names());
+    const std::vector<double> got = values_of(simulation), wanted = values_of(expected);
+    for (std::size_t k = 0; k < got.size(); ++k) {
+      CAPTURE(simulation.sensor_names()[k]);
+      CHECK(got[k] == doctest::Approx(wanted[k]).epsilon(1e-9));
+    }
+    CHECK(simulation.sensor("hub.speed") !=
+          doctest::Approx(plain.sensor("hub.speed")).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("a factor of 1 is what the scenario says, and energies close where loads are varied") {
+  Simulation simulation = make(planar("")), plain = make(planar(""));
+  simulation.run_until(0.2);
+  set_load_factor(simulation, "push", 3.0);
+  set_load_factor(simulation, "push", 1.0);
+  simulation.run_until(0.4);
+  plain.run_until(0.4);
+  CHECK(simulation.sensor("hub.speed") == doctest::Approx(plain.sensor("hub.speed")).epsilon(1e-5));
+  set_load_factor(simulation, "push", -2.0);
+  set_load_factor(simulation, "air", 0.0);
+  simulation.run_until(1.0);
+  CHECK(std::abs(simulation.sensor("energy.residual")) <
+        1e-3 * simulation.sensor("energy.kinetic"));
+}
+
+TEST_CASE("loads are refused that the scenario does not name") {
+  Simulation simulation = make(planar(""));
+  CHECK(load_names(simulation.scenario()) == std::vector<std::string>{"push", "air"});
+  CHECK(contains(message_of([&] { set_load_factor(simulation, "pusj", 2.0); }), "push"));
+  CHECK(contains(message_of([&] {
+                   set_load_factor(simulation, "push", std::numeric_limits<double>::infinity());
+                 }),
+                 "not finite"));
+  Simulation other = make("world = \"space\"\n" + kTurnedHub + kBooms +
+                          "[integration]\nstep = 0.005\nduration = 1.0\n");
+  CHECK(load_names(other.scenario()).empty());
+  CHECK(contains(message_of([&] { set_load_factor(other, "push", 2.0); }), "no load"));
+}
+
+TEST_CASE("a simulation goes back to a state with the courses that were in force there") {
+  const std::string pitch = R"(
+[[blade.joint]]
+name = "pitch"
+station = 1.0
+kind = "revolute"
+axis = [1.0, 0.0, 0.0]
+motion = { by = "program", initial = 0.1 }
+)";
+  Simulation simulation = make("world = \"space\"\n" + kDrivenHub + kBooms + pitch + R"(
+[[load]]
+name = "push"
+force = [0.0, 1.0, 2.0]
+[integration]
+step = 0.005
+duration = 2.0
+)");
+  const int joint = simulation.joint_index(0, "pitch");
+  const CoordinateMotion up{0.1, 0.0, 0.5};
+  simulation.run_until(0.1);
+  simulation.set_joint_motion(0, joint, 0, up);
+  set_load_factor(simulation, "push", 2.0);
+  simulation.run_until(0.2);
+  const Courses courses{simulation.drive(), {{0, joint, 0, 0.1, up}}, {{"push", 2.0}}};
+  const SavedState state = simulation.save();
+  simulation.run_until(0.4);
+  const std::uint64_t expected = simulation.state_hash();
+  // Elsewhere, all is different.
+  CoordinateMotion down = simulation.joint_motion(0, joint);
+  down.acceleration = -3.0;
+  simulation.set_joint_motion(0, joint, 0, down);
+  set_load_factor(simulation, "push", -1.0);
+  simulation.run_until(0.6);
+  restore(simulation, state, courses);
+  CHECK(simulation.time() == doctest::Approx(0.2));
+  CHECK(simulation.joint_motion(0, joint).acceleration == 0.5);
+  simulation.run_until(0.4);
+  CHECK(simulation.state_hash() == expected);
+  // What cannot be put in force leaves all as it is.
+  Courses other = courses;
+  other.drive = TorqueDrive{};
+  CHECK(contains(message_of([&] { restore(simulation, state, other); }), "do not both"));
+  other = courses;
+  other.loads[0].load = "pull";
+  CHECK(contains(message_of([&] { restore(simulation, state, other); }), "push"));
+  other = courses;
+  other.joints[0].joint = 7;
+  CHECK(contains(message_of([&] { restore(simulation, state, other); }), "joint"));
+  CHECK(simulation.state_hash() == expected);
+}
