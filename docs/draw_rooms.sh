@@ -53,6 +53,8 @@ engine/simulation/	behind Simulation
 engine/scene/	models as they are drawn
 engine/vtk/	files for ParaView
 program/foreign/	files of other programs
+program/fmu/	what is in an FMU
+program/fmu/library/	what importers load
 program/ranks/	processes of MPI
 program/report/	pages and charts
 program/viewer/	the page of a trace

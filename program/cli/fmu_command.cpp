@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 /// Returns the name of the FMU: that of its file without the ending. Throws InputError.
 std::string name_of(const fs::path& out) {
-  const std::string name = out.stem().string();
+  std::string name = out.stem().string();
   if (out.extension() != ".fmu" || name.empty())
     throw InputError("--out " + out.string() + ": expected a file NAME.fmu");
   return name;

@@ -34,5 +34,9 @@ for page in "$work"/moved/share/doc/spoke/{README.md,docs/*.md}; do
     [ -e "$(dirname "$page")/$link" ] || { echo "$page links to $link, which is not installed"; exit 1; }
   done
 done
+if [ -e "$work/moved/bin/spoke-fmu" ]; then  # if the build has it
+  "$work/moved/bin/spoke" fmu "$work/moved/share/spoke/models/wu_haug_rotor.toml" --out "$work/rotor.fmu" >/dev/null
+  [ -s "$work/rotor.fmu" ]
+fi
 "$work/moved/bin/spoke" check "$work/moved/share/spoke/models/wu_haug_rotor.toml"
 SPOKE_CACHE=none "$work/moved/bin/spoke" reduce "$work/moved/share/spoke/models/solid_bracket.toml" >/dev/null

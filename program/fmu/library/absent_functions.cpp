@@ -75,3 +75,50 @@ SPOKE_FMI3 fmi3Status fmi3GetOutputDerivatives(fmi3Instance instance, const fmi3
                                                std::size_t) {
   return not_there(instance, "fmi3GetOutputDerivatives", "derivatives of outputs");
 }
+
+// Of model exchange and of scheduled execution, which importers look for in every FMU.
+
+namespace {
+
+constexpr const char* kExchange = "model exchange, it is for co-simulation";
+
+}  // namespace
+
+SPOKE_FMI3 fmi3Status fmi3EnterContinuousTimeMode(fmi3Instance instance) {
+  return not_there(instance, "fmi3EnterContinuousTimeMode", kExchange);
+}
+SPOKE_FMI3 fmi3Status fmi3CompletedIntegratorStep(fmi3Instance instance, fmi3Boolean, fmi3Boolean*,
+                                                  fmi3Boolean*) {
+  return not_there(instance, "fmi3CompletedIntegratorStep", kExchange);
+}
+SPOKE_FMI3 fmi3Status fmi3SetTime(fmi3Instance instance, fmi3Float64) {
+  return not_there(instance, "fmi3SetTime", kExchange);
+}
+SPOKE_FMI3 fmi3Status fmi3SetContinuousStates(fmi3Instance instance, const fmi3Float64[],
+                                              std::size_t) {
+  return not_there(instance, "fmi3SetContinuousStates", kExchange);
+}
+SPOKE_FMI3 fmi3Status fmi3GetContinuousStateDerivatives(fmi3Instance instance, fmi3Float64[],
+                                                        std::size_t) {
+  return not_there(instance, "fmi3GetContinuousStateDerivatives", kExchange);
+}
+SPOKE_FMI3 fmi3Status fmi3GetEventIndicators(fmi3Instance instance, fmi3Float64[], std::size_t) {
+  return not_there(instance, "fmi3GetEventIndicators", kExchange);
+}
+SPOKE_FMI3 fmi3Status fmi3GetContinuousStates(fmi3Instance instance, fmi3Float64[], std::size_t) {
+  return not_there(instance, "fmi3GetContinuousStates", kExchange);
+}
+SPOKE_FMI3 fmi3Status fmi3GetNominalsOfContinuousStates(fmi3Instance instance, fmi3Float64[],
+                                                        std::size_t) {
+  return not_there(instance, "fmi3GetNominalsOfContinuousStates", kExchange);
+}
+SPOKE_FMI3 fmi3Status fmi3GetNumberOfEventIndicators(fmi3Instance instance, std::size_t*) {
+  return not_there(instance, "fmi3GetNumberOfEventIndicators", kExchange);
+}
+SPOKE_FMI3 fmi3Status fmi3GetNumberOfContinuousStates(fmi3Instance instance, std::size_t*) {
+  return not_there(instance, "fmi3GetNumberOfContinuousStates", kExchange);
+}
+SPOKE_FMI3 fmi3Status fmi3ActivateModelPartition(fmi3Instance instance, fmi3ValueReference,
+                                                 fmi3Float64) {
+  return not_there(instance, "fmi3ActivateModelPartition", "clocks");
+}

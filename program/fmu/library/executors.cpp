@@ -1,6 +1,6 @@
 // The executors of an FMU: importers run many of them side by side, on threads of their own, so all
-// are serial. These functions stand in for those of graph/ that know oneTBB and OpenMP: the library of
-// an FMU needs neither.
+// are serial. These functions stand in for those of graph/ that know oneTBB and OpenMP: the library
+// of an FMU needs neither.
 
 #include "graph/calibrate/capacity.h"
 #include "graph/execute/executor_kinds.h"

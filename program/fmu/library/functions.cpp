@@ -1,7 +1,6 @@
 // The functions of FMI 3.0 for co-simulation of which this FMU makes use.
 
 #include <algorithm>
-#include <cstring>
 #include <memory>
 #include <optional>
 #include <string>
@@ -181,7 +180,7 @@ SPOKE_FMI3 fmi3Status fmi3SerializeFMUState(fmi3Instance instance, fmi3FMUState 
     if (size < bytes.size())
       throw InputError("there is place for " + std::to_string(size) + " bytes, expected " +
                        std::to_string(bytes.size()));
-    std::memcpy(serializedState, bytes.data(), bytes.size());
+    std::copy(bytes.begin(), bytes.end(), serializedState);
   });
 }
 

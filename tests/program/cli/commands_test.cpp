@@ -24,6 +24,9 @@ constexpr bool kPutsOffSignals = false;
 #endif
 
 constexpr const char* kPrograms[] = {"study",   "import",  "export",
+#ifdef SPOKE_HAS_FMU
+                                     "fmu",
+#endif
                                      "compare", "predict", "reproduce"};
 
 std::string program_of(const std::string& command) {

@@ -3,11 +3,11 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "tests/contains.h"
+#include "tests/program/cli/examples.h"
 #include "tests/program/cli/program.h"
 #include "tests/program/cli/refusal.h"
 
@@ -28,42 +28,12 @@ class BladeFolder {
   WorkFolder work;
 };
 
-/// The words of a line of a shell without quotes.
-std::vector<std::string> words_of(const std::string& line) {
-  std::istringstream stream(line);
-  std::vector<std::string> words;
-  for (std::string word; stream >> word;) words.push_back(word);
-  return words;
-}
-
 /// Whether this build reads YAML.
 #ifdef SPOKE_HAS_YAML
 constexpr bool kHasYaml = true;
 #else
 constexpr bool kHasYaml = false;
 #endif
-
-struct Example {
-  std::vector<std::string> commands;
-  std::vector<std::string> shown;
-};
-
-/// Returns the examples of a document: blocks of commands, each with the block "text" behind it.
-std::vector<Example> examples_of(const std::string& document) {
-  std::vector<Example> examples;
-  std::string kind;
-  for (const std::string& line : lines_of(document)) {
-    if (line.starts_with("```")) {
-      kind = kind.empty() ? line.substr(3) + ' ' : "";
-      if (kind == "sh ") examples.emplace_back();
-    } else if (kind == "sh " && line.starts_with("spoke ")) {
-      examples.back().commands.push_back(line.substr(6));
-    } else if (kind == "text " && !line.empty()) {
-      examples.back().shown.push_back(line);
-    }
-  }
-  return examples;
-}
 
 }  // namespace
 
