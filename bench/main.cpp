@@ -37,6 +37,7 @@ constexpr std::array kQuestions{
     Question{"solids", "what solids cost, and what threads gain on one of them", measure_solids},
     Question{"supports", "what a support costs beside its rotor, and what threads gain there",
              measure_supports},
+    Question{"air", "what air costs beside the structure of its blades", measure_air},
     Question{"passes", "how many passes a step needs, at the steps that accuracy allows",
              measure_passes, true},
     Question{"step_graphs", "what two threads gain on graphs shaped like a step",

@@ -59,6 +59,26 @@ struct SolidDeformation {
   std::vector<double> coordinates;
 };
 
+/// What air does to a section of a blade in equilibrium.
+struct SectionAir {
+  double station = 0.0;               ///< distance from the root [m]
+  double attack = 0.0;                ///< angle of attack [rad]
+  double relative_speed = 0.0;        ///< of the air against the section, in its plane [m/s]
+  double axial_induction = 0.0;       ///< a
+  double tangential_induction = 0.0;  ///< a'
+  double lift = 0.0, drag = 0.0, moment = 0.0;  ///< coefficients
+  double axial_force = 0.0;       ///< along the rotor's axis, by length of the blade [N/m]
+  double tangential_force = 0.0;  ///< in the direction of the turn [N/m]
+  double pitching_moment = 0.0;   ///< about the section's axis, nose up [N m/m]
+};
+
+/// What air does to a rotor in equilibrium, in the frame of its hub.
+struct RotorAir {
+  double wind = 0.0;    ///< speed along the axis, against the hub [m/s]
+  double thrust = 0.0;  ///< along the axis [N]
+  double torque = 0.0;  ///< about the axis [N m]
+};
+
 /// A blade, or another subsystem, in equilibrium. Vectors are in the hub's frame.
 struct BladeEquilibrium {
   std::string name;                                 ///< "blade 1", or the subsystem's
@@ -75,6 +95,7 @@ struct BladeEquilibrium {
   std::vector<Eigen::Vector3d> rotations;        ///< of nodes from these axes, rotation vectors
   std::vector<int> bodies;                       ///< of the nodes, from 0
   std::vector<SolidDeformation> solids;          ///< of the bodies that are solids
+  std::vector<SectionAir> air;                   ///< by station; empty: no air acts
   /// For each body its largest deflection across its axis by its length; 0 for rigid ones.
   std::vector<double> bending;
 };
@@ -94,9 +115,10 @@ struct EquilibriumResult {
   std::optional<HubPlace> hub = std::nullopt;  ///< of a rotor on a support
   /// Force of support and drive on the hub, hub frame [N].
   Eigen::Vector3d hub_force{0.0, 0.0, 0.0};
-  Eigen::Vector3d hub_moment{0.0, 0.0, 0.0};  ///< moment about its origin, hub frame [N m]
-  int iterations = 0;                         ///< of Newton's method, for all blades
-  int load_steps = 1;                         ///< number of steps in which loads were applied
+  Eigen::Vector3d hub_moment{0.0, 0.0, 0.0};   ///< moment about its origin, hub frame [N m]
+  std::optional<RotorAir> air = std::nullopt;  ///< none: no air acts
+  int iterations = 0;                          ///< of Newton's method, for all blades
+  int load_steps = 1;                          ///< number of steps in which loads were applied
   double last_change = 0.0;  ///< change of a coordinate in the last iteration [rad, or by length]
   /// Reasons to doubt it: a body that bends beyond `limits.deflection`.
   std::vector<Warning> warnings{};

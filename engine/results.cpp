@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "engine/output_file.h"
+#include "engine/run_statistics.h"
 #include "engine/support/instructions.h"
 #include "engine/support/machine_json.h"
 #include "models/error.h"
@@ -46,6 +47,32 @@ Json describe_sensors(const Simulation& simulation, const SensorStatistics& stat
                                                {"final", range.final}});
   }
   return sensors;
+}
+
+Json describe_series(const Simulation& simulation, const RunStatistics& rows,
+                     const SensorSeries& series) {
+  Json json = {{"unit", simulation.sensor_units()[series.sensor]},
+               {"mean", series.values.mean()},
+               {"standard_deviation", series.values.deviation()},
+               {"min", series.values.min()},
+               {"max", series.values.max()}};
+  if (series.ranges) json.set("damage_equivalent_range", rows.equivalent_range(series));
+  return json;
+}
+
+Json describe_rows(const Simulation& simulation, const RunStatistics& rows) {
+  Json sensors = Json::object();
+  for (const SensorSeries& series : rows.series())
+    sensors.set(simulation.sensor_names()[series.sensor],
+                describe_series(simulation, rows, series));
+  return {{"of", "output rows"},
+          {"from_s", rows.from()},
+          {"rows", rows.rows()},
+          {"first_row_s", rows.first_time()},
+          {"last_row_s", rows.last_time()},
+          {"wohler_exponent", RunStatistics::kExponent},
+          {"equivalent_frequency_hz", RunStatistics::kFrequency},
+          {"sensors", sensors}};
 }
 
 Json describe_loops_at_start(const LoopsAtStart& loops) {
@@ -123,8 +150,10 @@ bool OutputTimes::is_due(double t) {
   return true;
 }
 
-std::string make_summary(const Simulation& simulation, const SensorStatistics& statistics,
-                         const RunOutcome& outcome) {
+namespace {
+
+Json summarise(const Simulation& simulation, const SensorStatistics& statistics,
+               const RunOutcome& outcome) {
   const Scenario& scenario = simulation.scenario();
   Json summary = {{"version", SPOKE_VERSION}, {"status", status_of(outcome)}};
   const std::string message = outcome.divergence + outcome.interruption;
@@ -151,6 +180,20 @@ std::string make_summary(const Simulation& simulation, const SensorStatistics& s
                   {"sensors", describe_sensors(simulation, statistics)}});
   if (const LoopsAtStart loops = simulation.loops_at_start(); !loops.subsystems.empty())
     summary.set("loops", describe_loops_at_start(loops));
+  return summary;
+}
+
+}  // namespace
+
+std::string make_summary(const Simulation& simulation, const SensorStatistics& statistics,
+                         const RunOutcome& outcome) {
+  return summarise(simulation, statistics, outcome).dump_lines();
+}
+
+std::string make_summary(const Simulation& simulation, const SensorStatistics& statistics,
+                         const RunOutcome& outcome, const RunStatistics& rows) {
+  Json summary = summarise(simulation, statistics, outcome);
+  if (!rows.series().empty()) summary.set("statistics", describe_rows(simulation, rows));
   return summary.dump_lines();
 }
 

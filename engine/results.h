@@ -17,6 +17,8 @@
 
 namespace spoke {
 
+class RunStatistics;
+
 /// Extremes of one sensor over all steps, t = 0 included, and its value at the last.
 struct SensorRange {
   double min = std::numeric_limits<double>::infinity();   ///< smallest value
@@ -80,6 +82,10 @@ struct RunOutcome {
 SPOKE_EXPORT std::string make_summary(const Simulation& simulation,
                                       const SensorStatistics& statistics,
                                       const RunOutcome& outcome);
+/// Returns the text of summary.json with statistics of the rows, if there are any.
+SPOKE_EXPORT std::string make_summary(const Simulation& simulation,
+                                      const SensorStatistics& statistics, const RunOutcome& outcome,
+                                      const RunStatistics& rows);
 
 /// Writes a whole file or nothing. Throws InputError if it cannot be written. Does not wait for the
 /// disk, see replace_file().

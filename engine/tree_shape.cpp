@@ -18,7 +18,7 @@ using space::Position;
 using space::Rotation;
 
 /// Reduction of places and velocities by foreshortening.
-struct Offset {
+struct TreeOffset {
   Position p = Position::Zero();
   Position v = Position::Zero();
 };
@@ -116,7 +116,7 @@ class SubsystemWalk {
   }
 
   /// Returns the offset of a body by the foreshortening of its carriers.
-  Offset carried_offset(std::size_t j) const {
+  TreeOffset carried_offset(std::size_t j) const {
     if (model(j).parent < 0) return {};
     const auto p = static_cast<std::size_t>(model(j).parent);
     const auto handle = static_cast<std::size_t>(model(j).handle);
@@ -130,7 +130,7 @@ class SubsystemWalk {
   void add_flexible(std::size_t j, const space::FlexibleBody& body) {
     const BodyData<Space>& data = data_.bodies[j];
     const double *q = data.coordinates.q, *v = data.coordinates.v;
-    const Offset before = carried_offset(j);
+    const TreeOffset before = carried_offset(j);
     const Position w = angular(data_.twists[j]);
     double shortening = 0.0, rate = 0.0;
     offsets_[j].clear();
@@ -147,8 +147,8 @@ class SubsystemWalk {
       }
       const Position shortened(shortening, 0.0, 0.0), slower(rate, 0.0, 0.0);
       const Rotation& R = data_.poses[j].R;
-      const Offset offset{before.p + R * shortened,
-                          before.v + R * Position(slower + cross(w, shortened))};
+      const TreeOffset offset{before.p + R * shortened,
+                              before.v + R * Position(slower + cross(w, shortened))};
       const std::size_t at = k == 0 ? 0 : space::kTwist;
       add_node(j, body.pose.R, body.nodes[static_cast<std::size_t>(k)],
                motion_of(flex.values.data() + at, speed.values.data() + at,
@@ -160,7 +160,7 @@ class SubsystemWalk {
   void add_solid(std::size_t j, const space::Solid& solid) {
     const BodyData<Space>& data = data_.bodies[j];
     const double *q = data.coordinates.q, *v = data.coordinates.v;
-    const Offset before = carried_offset(j);
+    const TreeOffset before = carried_offset(j);
     const Position w = angular(data_.twists[j]);
     const Rotation& R = data_.poses[j].R;
     offsets_[j].clear();
@@ -184,7 +184,7 @@ class SubsystemWalk {
   /// Adds a node that moves as given against the body; `frame` takes the axes of the body to those
   /// of the scenario.
   void add_node(std::size_t j, const Rotation& frame, const Position& place,
-                const space::HandleMotion& motion, const Offset& offset) {
+                const space::HandleMotion& motion, const TreeOffset& offset) {
     const space::Pose &pose = data_.poses[j], &rigid = rigid_[j];
     const space::Twist& twist = data_.twists[j];
     const Position w = angular(twist);
@@ -206,7 +206,7 @@ class SubsystemWalk {
   const SubsystemData<Space>& data_;
   TreeShape& shape_;
   std::vector<space::Pose> rigid_;
-  std::vector<std::vector<Offset>> offsets_;  ///< by body and node
+  std::vector<std::vector<TreeOffset>> offsets_;  ///< by body and node
 };
 
 /// Turns a node from the hub frame of the table to that of the scenario.

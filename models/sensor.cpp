@@ -52,6 +52,17 @@ constexpr Six kMomentum6{{{"x", "kg m/s"},
                           {"angular.y", "kg m^2/s"},
                           {"angular.z", "kg m^2/s"}}};
 
+constexpr std::array<SensorComponent, 4> kAirFlow{{{"angle_of_attack", "rad"},
+                                                   {"relative_speed", "m/s"},
+                                                   {"axial_induction", ""},
+                                                   {"tangential_induction", ""}}};
+constexpr Six kAirLoad{{{"lift", ""},
+                        {"drag", ""},
+                        {"moment", ""},
+                        {"axial_force", "N/m"},
+                        {"tangential_force", "N/m"},
+                        {"pitching_moment", "N"}}};
+
 using Frame = SensorFrame;
 constexpr std::array kMotionFrames{Frame::hub, Frame::blade, Frame::inertial};
 constexpr std::array kSectionFrames{Frame::section, Frame::blade, Frame::hub, Frame::inertial};
@@ -78,6 +89,8 @@ std::span<const SensorFrame> frames_of(SensorQuantity quantity) {
     case SensorQuantity::blade_momentum:
     case SensorQuantity::kinetic_energy:
     case SensorQuantity::von_mises:
+    case SensorQuantity::air_flow:
+    case SensorQuantity::air_load:
       return kInertial;
     default:
       return kMotionFrames;
@@ -105,8 +118,12 @@ bool is_of_solid(SensorQuantity quantity) {
   return quantity == SensorQuantity::interface_force || quantity == SensorQuantity::von_mises;
 }
 
+bool is_of_air(SensorQuantity quantity) {
+  return quantity == SensorQuantity::air_flow || quantity == SensorQuantity::air_load;
+}
+
 bool has_position(SensorQuantity quantity) {
-  return is_motion(quantity) || quantity == SensorQuantity::section_force;
+  return is_motion(quantity) || quantity == SensorQuantity::section_force || is_of_air(quantity);
 }
 
 std::span<const SensorComponent> components_of(SensorQuantity quantity) {
@@ -152,6 +169,10 @@ std::span<const SensorComponent> components_in_space(SensorQuantity quantity) {
       return kEnergy;
     case SensorQuantity::von_mises:
       return kStress;
+    case SensorQuantity::air_flow:
+      return kAirFlow;
+    case SensorQuantity::air_load:
+      return kAirLoad;
     default:
       return kDisplacement6;
   }
@@ -168,10 +189,10 @@ std::string prefix_of(const Sensor& sensor, int blade) {
 }
 
 std::string_view name_of(SensorQuantity quantity) {
-  constexpr std::array<std::string_view, 13> names{
+  constexpr std::array<std::string_view, 15> names{
       "displacement", "velocity",        "acceleration",   "section_force",  "joint_reaction",
       "hub_reaction", "momentum",        "blade_momentum", "kinetic_energy", "loop_reaction",
-      "loop_opening", "interface_force", "von_mises"};
+      "loop_opening", "interface_force", "von_mises",      "air_flow",       "air_load"};
   return names[static_cast<std::size_t>(quantity)];
 }
 

@@ -34,6 +34,11 @@ enum class SensorQuantity {
   /// point [N, N m].
   interface_force,
   von_mises,  ///< largest von Mises stress of a solid, or that at a place of it [Pa]
+  /// Flow around a section in air: angle of attack [rad], relative speed [m/s], induction factors.
+  air_flow,
+  /// What air does there: coefficients of lift, drag and moment, and by length the forces along the
+  /// rotor's axis and in the direction of its turn [N/m], and the pitching moment [N m/m].
+  air_load,
 };
 
 /// The frame in which a motion is observed, and in which vectors are resolved.
@@ -100,6 +105,8 @@ SPOKE_EXPORT bool is_motion(SensorQuantity quantity);
 SPOKE_EXPORT bool is_of_loop(SensorQuantity quantity);
 /// Returns whether the quantity is one of solids alone.
 SPOKE_EXPORT bool is_of_solid(SensorQuantity quantity);
+/// Returns whether the quantity is one of blades in air.
+SPOKE_EXPORT bool is_of_air(SensorQuantity quantity);
 /// Returns whether the quantity is measured at a position along a blade.
 SPOKE_EXPORT bool has_position(SensorQuantity quantity);
 

@@ -13,7 +13,9 @@
 #include <variant>
 #include <vector>
 
+#include "models/air.h"
 #include "models/blade_choice.h"
+#include "models/control.h"
 #include "models/curve.h"
 #include "models/drive.h"
 #include "models/loop.h"
@@ -217,6 +219,8 @@ struct Blade {
   double precone = 0.0;              ///< angle that lifts the tip along the hub's axis [rad]
   std::vector<BladeJoint> joints{};  ///< joints in order from root to tip
   std::vector<Loop> loops{};         ///< closed loops, as of subsystems
+  /// What air does to it, if there is any (Model::air); none: air does nothing.
+  std::optional<BladeAerodynamics> aerodynamics{};
 };
 
 /// A body of a subsystem.
@@ -403,11 +407,13 @@ struct Model {
   Vector gravity = Vector::Zero();  ///< gravitational acceleration, inertial frame [m/s^2]
   /// Duration of gravity's smooth rise from 0, calc_rise() [s].
   double gravity_ramp = 0.0;
-  Damping damping{};                                 ///< damping of all flexible bodies
-  std::vector<PointLoad> loads{};                    ///< loads at points
-  std::vector<DistributedLoad> distributed_loads{};  ///< along beams
-  std::vector<HubLoad> hub_loads{};                  ///< loads on the hub
-  std::vector<Anchor> anchors{};                     ///< places that loops may close on
+  Damping damping{};                                         ///< damping of all flexible bodies
+  std::vector<PointLoad> loads{};                            ///< loads at points
+  std::vector<DistributedLoad> distributed_loads{};          ///< along beams
+  std::vector<HubLoad> hub_loads{};                          ///< loads on the hub
+  std::vector<Anchor> anchors{};                             ///< places that loops may close on
+  std::optional<PitchControl> pitch_control = std::nullopt;  ///< collective pitch; none: no control
+  std::optional<Air> air = std::nullopt;                     ///< around the blades; none: vacuum
 };
 
 /// Returns whether a subsystem of a model is the tree of its support.

@@ -75,6 +75,7 @@ endif()
 file(GLOB scenarios CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/models/*.toml)
 install(FILES ${scenarios} DESTINATION ${models_folder} COMPONENT program)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/models/studies ${PROJECT_SOURCE_DIR}/models/meshes
+  ${PROJECT_SOURCE_DIR}/models/airfoils
   DESTINATION ${models_folder}
   COMPONENT program)
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/LICENSE

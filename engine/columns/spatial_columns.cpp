@@ -124,6 +124,18 @@ void find_outboard(const TreeBody<Space>& model, Reading<Space>& reading) {
   }
 }
 
+/// Returns the place of a position among the stations of a blade in air: an index, and a share of
+/// the way to the next; without a position, the last one.
+double find_in_air(const std::optional<double>& position, const std::vector<double>& stations) {
+  const auto last = static_cast<double>(stations.size() - 1);
+  if (!position) return last;
+  const auto next = std::upper_bound(stations.begin(), stations.end(), *position);
+  if (next == stations.begin()) return 0.0;
+  if (next == stations.end()) return last;
+  return static_cast<double>(next - stations.begin() - 1) +
+         (*position - next[-1]) / (next[0] - next[-1]);
+}
+
 Reading<Space> make_reading(const Sensor& sensor, const SensorPlace& place, const Tree& tree,
                             const Subsystem<Space>& subsystem, std::size_t first,
                             Recoveries& before) {
@@ -150,6 +162,8 @@ Reading<Space> make_reading(const Sensor& sensor, const SensorPlace& place, cons
   const space::Pose rest = calc_rest_pose(subsystem, body);
   reading.rest = {rest.p + rest.R * reading.section.s0, rest.R * reading.section.axes};
   if (sensor.quantity == SensorQuantity::section_force) find_outboard(model, reading);
+  if (is_of_air(sensor.quantity))
+    reading.along = find_in_air(sensor.position, subsystem.air->aerodynamics.station);
   return reading;
 }
 

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
 #include <optional>
 #include <sstream>
 #include <variant>
 
+#include "models/air/wind_kept.h"
 #include "models/reader/scenario_json.h"
 #include "models/solid/kept_geometry.h"
 
@@ -36,17 +38,22 @@ std::string text_of(const std::string& value) {
   return value.size() > most ? value.substr(0, most) + "..." : value;
 }
 
+/// Returns what stands for files of these contents.
+std::string name_contents(std::uint64_t hash) {
+  std::ostringstream contents;
+  contents << "contents " << std::hex << hash;
+  return contents.str();
+}
+
 /// Puts the contents of a solid's files in the place of their names.
 void identify_solid(const spatial::SolidBody& body, const std::string& path, Json& json) {
-  std::ostringstream contents;
-  contents << "contents " << std::hex << solid::find_geometry(body)->content;
+  const std::string contents = name_contents(solid::find_geometry(body)->content);
   if (!body.matrices) {
-    json.set_at(path + "/mesh", contents.str());
+    json.set_at(path + "/mesh", contents);
     return;
   }
-  for (const char* key : {"/mass", "/stiffness", "/nodes"}) json.set_at(path + key, contents.str());
-  if (!body.matrices->own.front().empty())
-    json.set_at(path + "/geometric_stiffness", contents.str());
+  for (const char* key : {"/mass", "/stiffness", "/nodes"}) json.set_at(path + key, contents);
+  if (!body.matrices->own.front().empty()) json.set_at(path + "/geometric_stiffness", contents);
 }
 
 void identify_solids(const spatial::Model& model, Json& json) {
@@ -57,12 +64,20 @@ void identify_solids(const spatial::Model& model, Json& json) {
                        json);
 }
 
+void identify_wind(const spatial::Model& model, Json& json) {
+  if (!model.air || model.air->wind.file.empty()) return;
+  json.set_at("/wind/file", name_contents(air::find_wind(model.air->wind)->content()));
+}
+
 }  // namespace
 
 std::string make_identity(const Scenario& scenario, Formulation formulation, double step_size) {
   // The way in which it starts is left out: its effect on drive and ramps is in the model.
   Json json = model_to_json(scenario);
-  if (scenario.space) identify_solids(*scenario.space, json);
+  if (scenario.space) {
+    identify_solids(*scenario.space, json);
+    identify_wind(*scenario.space, json);
+  }
   Json integration = integration_to_json(scenario);
   integration.erase("duration");
   integration.set("step", step_size);

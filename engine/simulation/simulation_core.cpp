@@ -49,7 +49,7 @@ void require_finite(const SavedState& state) {
 
 /// Returns the scenario with the meshes of its solids, which are read once.
 Scenario checked(Scenario scenario) {
-  if (scenario.space) spatial::read_meshes(*scenario.space);
+  if (scenario.space) spatial::read_model_files(*scenario.space);
   check_scenario(scenario);
   return scenario;
 }

@@ -45,7 +45,7 @@ SpatialModel::SpatialModel(const Scenario& scenario, SystemContext<Space>& conte
 std::size_t SpatialModel::count_readings(const std::vector<Sensor>& asked) const {
   std::size_t values = spoke::count_readings(asked, scenario_.space->blades.size(), trees_);
   for (const Subsystem<Space>& subsystem : context_.system.subsystems)
-    values += static_cast<std::size_t>(count_joint_values(subsystem));
+    values += static_cast<std::size_t>(count_own_values(subsystem));
   return values;
 }
 
@@ -57,7 +57,7 @@ std::vector<SensorColumn> SpatialModel::place_sensors(const std::vector<Sensor>&
   std::vector<SubsystemData<Space>>& subsystems = context_.data.subsystems;
   for (std::size_t i = 0; i < subsystems.size(); ++i)
     subsystems[i].reading_count =
-        static_cast<std::size_t>(count_joint_values(context_.system.subsystems[i]));
+        static_cast<std::size_t>(count_own_values(context_.system.subsystems[i]));
   std::vector<SensorColumn> columns = spoke::place_sensors(asked, scenario_.space->blades.size(),
                                                            trees_, context_.system, context_.data);
   make_reading_rings(context_.data);
@@ -83,7 +83,7 @@ void SpatialModel::sample(std::int64_t step, double t) {
     update_kinematics(subsystem, data);
     update_loops(context_.system, i, t, context_.data);
     of_step(data.samples, step) = calc_sample(context_.system, i, data);
-    keep_joint_values(subsystem, step, data);
+    keep_own_values(step, t, data);
     if (!data.readings.empty()) calc_readings(context_.system, i, step, t, context_.data);
   }
 }

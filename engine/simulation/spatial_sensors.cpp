@@ -3,10 +3,13 @@
 #include "engine/simulation/spatial_sensors.h"
 
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "engine/columns/spatial_columns.h"
 #include "engine/kernels/hub_motion.h"
+#include "engine/space/joint_values.h"
 #include "models/tree/sensor_place.h"
 
 namespace spoke {
@@ -50,7 +53,9 @@ SpatialSensors::SpatialSensors(const System<Space>& system, const std::vector<sp
     for (const char* axis : {"x", "y", "z"}) add(name + ".root.moment." + axis, "N m");
     add_joints(tree);
   }
+  add_control_columns(system);
   if (momentum_.are_there()) add_momentum_columns();
+  if (system.wind) add_air_columns();
   for (const SensorColumn& column : asked_) add(column.name, column.unit);
 }
 
@@ -62,6 +67,48 @@ void SpatialSensors::add_joints(const spatial::Tree& tree) {
       add(names[k++], slides(body.joint.kind, c) ? "m" : "rad");
     }
   joint_values_.push_back(names.size());
+}
+
+void SpatialSensors::add_air_columns() {
+  add("air.wind", "m/s");
+  add("air.thrust", "N");
+  add("air.torque", "N m");
+  add("air.power", "W");
+  add("air.thrust_coefficient", "");
+  add("air.power_coefficient", "");
+}
+
+void SpatialSensors::append_air(const System<Space>& system, std::int64_t step,
+                                const StepData<Space>& data) {
+  const SystemRecord<Space>& record = of_step(data.records, step);
+  const double speed =
+      system.rotors.empty() ? record.velocity[Space::kAxial] : record.rotor.velocity[Space::kAxial];
+  AirSum sum;
+  double pressure = 0.0;  // of the wind, on the rotor's disc [N]
+  for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
+    const BladeAirModel* model = system.subsystems[i].air.get();
+    if (!model) continue;
+    const AirSum& own = of_step(data.subsystems[i].samples, step).air;
+    sum.thrust += own.thrust;
+    sum.torque += own.torque;
+    sum.wind = own.wind;
+    const double area = std::numbers::pi * model->tip_radius * model->tip_radius;
+    pressure = 0.5 * model->air->density * own.wind * own.wind * area;
+  }
+  const double power = sum.torque * speed;
+  const auto by = [](double value, double unit) { return unit != 0.0 ? value / unit : 0.0; };
+  for (const double value : {sum.wind, sum.thrust, sum.torque, power, by(sum.thrust, pressure),
+                             by(power, pressure * std::abs(sum.wind))})
+    values_.push_back(value);
+}
+
+void SpatialSensors::add_control_columns(const System<Space>& system) {
+  for (std::size_t i = 0; i < system.subsystems.size() && !controlled_; ++i)
+    if (!system.subsystems[i].controls.empty()) controlled_ = i;
+  if (!controlled_) return;
+  add("control.pitch.demand", "rad");
+  add("control.pitch.angle", "rad");
+  add("control.pitch.rate", "rad/s");
 }
 
 void SpatialSensors::start(const System<Space>& system, const StepData<Space>& data) {
@@ -104,10 +151,16 @@ const std::vector<double>& SpatialSensors::measure(const System<Space>& system,
     const double* joints = readings_of(data.subsystems[i], step);
     values_.insert(values_.end(), joints, joints + joint_values_[i]);
   }
+  if (controlled_) {
+    const double* control =
+        readings_of(data.subsystems[*controlled_], step) + joint_values_[*controlled_];
+    values_.insert(values_.end(), control, control + kControlValues);
+  }
   if (momentum_.are_there()) {
     momentum_.measure(system, energies.kinetic, step, data);
     append_momentum(momentum_.balance());
   }
+  if (system.wind) append_air(system, step, data);
   for (const SensorColumn& column : asked_)
     values_.push_back(value_of(column, system.hub, step, data));
   return values_;

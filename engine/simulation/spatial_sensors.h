@@ -2,6 +2,7 @@
 
 // The sensors of a simulation in space: names, units and values.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,10 +36,14 @@ class SpatialSensors : public SensorValues {
 
  private:
   void add_joints(const spatial::Tree& tree);
+  void add_air_columns();
+  void append_air(const System<Space>& system, std::int64_t step, const StepData<Space>& data);
+  void add_control_columns(const System<Space>& system);
 
   std::vector<SensorColumn> asked_;
   MomentumSensors<Space> momentum_;
   std::vector<std::size_t> joint_values_;  ///< of the joints, by subsystem
+  std::optional<std::size_t> controlled_;  ///< subsystem that shows the pitch controller's values
 };
 
 }  // namespace spoke

@@ -1,10 +1,11 @@
-// Reads coordinates, prescribed motions and orientations of joints.
+// Reads coordinates, prescribed motions and orientations of joints, and states of controllers.
 
 #include "engine/space/joint_values.h"
 
 #include <algorithm>
 #include <cassert>
 
+#include "engine/kernels/pitch_control.h"
 #include "engine/space/table_terms.h"
 
 namespace spoke {
@@ -39,11 +40,19 @@ int count_joint_values(const Subsystem<Space>& subsystem) {
   return count;
 }
 
-void keep_joint_values(const Subsystem<Space>&, std::int64_t step,
-                       SubsystemData<Space>& data) noexcept {
+int count_own_values(const Subsystem<Space>& subsystem) {
+  return count_joint_values(subsystem) +
+         kControlValues * static_cast<int>(subsystem.controls.size());
+}
+
+void keep_own_values(std::int64_t step, double t, SubsystemData<Space>& data) noexcept {
   assert(step >= 0);
   double* into = readings_of(data, step);
   for (const BodyData<Space>& body : data.bodies) into = write_values(body, into);
+  for (const ControlState& control : data.controls) {
+    const space::PrescribedMotion pitch = follow(control, t);
+    for (const double value : {control.demands.back(), pitch.value, pitch.rate}) *into++ = value;
+  }
 }
 
 }  // namespace spoke

@@ -1,6 +1,6 @@
 #pragma once
 
-// Values of the joints of a subsystem in space, as sensors and results show them.
+// Values of the joints and controllers of a subsystem in space, as sensors and results show them.
 
 #include "engine/table/step_data.h"
 
@@ -10,8 +10,14 @@ namespace spoke {
 /// primitives in their order, a spherical one's as a rotation vector.
 int count_joint_values(const Subsystem<Space>& subsystem);
 
-/// Keeps their values at the end of step `step` in the ring. Prescribed motions must have been set.
-void keep_joint_values(const Subsystem<Space>& subsystem, std::int64_t step,
-                       SubsystemData<Space>& data) noexcept;
+/// Values of a controller, in the order of its columns: demand [rad], angle [rad], rate [rad/s].
+inline constexpr int kControlValues = 3;
+
+/// Counts the values of a subsystem's joints, and of its controllers behind them.
+int count_own_values(const Subsystem<Space>& subsystem);
+
+/// Keeps these values at the end of step `step`, at time t [s], in the ring. Prescribed motions
+/// must have been set.
+void keep_own_values(std::int64_t step, double t, SubsystemData<Space>& data) noexcept;
 
 }  // namespace spoke

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/kernels/hub_motion.h"
+#include "engine/kernels/pitch_control.h"
 #include "engine/space/hub_motion.h"
 #include "engine/space/solid_places.h"
 #include "engine/space/table_terms.h"
@@ -72,6 +73,15 @@ PrescribedMotion prescribe(const space::DrivenMotion& motion, double t, double p
   if (const auto* azimuth = std::get_if<spatial::AzimuthMotion>(&motion))
     return follow_azimuth(*azimuth, psi, hub);
   return follow(std::get<space::SaidMotion>(motion), t);
+}
+
+/// Adds the angle of a controller to the motion of a joint that it moves.
+void add_control(const PitchControl& control, const ControlState& state, double t,
+                 PrescribedMotion& motion) {
+  const PrescribedMotion pitch = follow(state, t);
+  motion.value += control.sign * pitch.value;
+  motion.rate += control.sign * pitch.rate;
+  motion.acceleration += control.sign * pitch.acceleration;
 }
 
 /// Returns the angular acceleration of the hub, in its frame.
@@ -153,9 +163,12 @@ void prescribe_joints(const System<Space>& system, double t, std::size_t i,
       data.subsystems[i].bodies[j].joint.driven[0] = {turn.angle, turn.speed, turn.acceleration};
       continue;
     }
+    PrescribedMotion* const driven = data.subsystems[i].bodies[j].joint.driven;
     for (std::size_t c = 0; c < course.driven.size(); ++c)
-      data.subsystems[i].bodies[j].joint.driven[c] =
-          prescribe(course.driven[c], t, hub.angle + course.azimuth, hub);
+      driven[c] = prescribe(course.driven[c], t, hub.angle + course.azimuth, hub);
+    if (course.control < 0) continue;
+    const auto k = static_cast<std::size_t>(course.control);
+    add_control(subsystem.controls[k], data.subsystems[i].controls[k], t, driven[0]);
   }
 }
 

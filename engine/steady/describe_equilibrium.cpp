@@ -52,6 +52,13 @@ BladeEquilibrium describe_subsystem(std::size_t subsystem, const Equilibrium& fo
   described.tip_displacement = tip.displacement;
   described.tip_rotation = tip.rotation;
   described.bending = model.bending(subsystem);
+  if (const std::optional<SubsystemAir> air = model.air(subsystem))
+    for (std::size_t k = 0; k < air->stations.size(); ++k) {
+      const air::StationAir& s = air->stations[k];
+      described.air.push_back({air->places[k], s.attack, s.relative_speed, s.axial_induction,
+                               s.tangential_induction, s.lift, s.drag, s.moment, s.axial_force,
+                               s.tangential_force, s.pitching_moment});
+    }
   for (const RootLoad& load : model.root_loads(subsystem))
     described.loads.push_back({load.body, load.station, load.force, load.moment});
   described.loops = model.loop_loads(subsystem, found.multipliers[subsystem]);
@@ -74,8 +81,15 @@ EquilibriumResult describe(const Equilibrium& found, SteadyModel& model) {
     result.hub_force.head<2>() = found.wrench.head<2>();
     result.hub_moment.z() = found.wrench[2];
   }
-  for (std::size_t i = 0; i < model.subsystems(); ++i)
+  for (std::size_t i = 0; i < model.subsystems(); ++i) {
     result.blades.push_back(describe_subsystem(i, found, model));
+    const std::optional<SubsystemAir> air = model.air(i);
+    if (!air) continue;
+    if (!result.air) result.air.emplace();
+    result.air->wind = air->wind;
+    result.air->thrust += air->thrust;
+    result.air->torque += air->torque;
+  }
   if (const SupportedModel* machine = model.on_support()) {
     const NodePlace hub = machine->hub_place();
     result.hub = HubPlace{hub.p, hub.axes};

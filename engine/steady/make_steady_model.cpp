@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/columns/spatial_columns.h"
+#include "engine/steady/mean_wind.h"
 #include "engine/steady/steady_mount.h"
 #include "engine/steady/steady_system.h"
 #include "engine/steady/supported_model.h"
@@ -118,6 +119,16 @@ double find_torque_slope(const Drive& drive, double speed) {
          (2.0 * step);
 }
 
+/// Makes the model of the rotor of a machine, whose hub has these axes. `blades`: their number.
+std::unique_ptr<SteadyModel> make_rotor(const Machine& machine, const Eigen::Matrix3d& axes,
+                                        const std::vector<Sensor>& sensors, std::size_t blades,
+                                        const LoopLimits& loops, const SteadyOptions& options) {
+  System<Space> placed = machine.rotor;
+  placed.hub.orientation = make_quaternion(space::Rotation{axes});
+  placed.hub.drive = ConstantSpeed{options.speed};
+  return make_part(placed, sensors, machine.rotor_trees, blades, loops, options);
+}
+
 std::unique_ptr<SteadyModel> make_supported(const Scenario& scenario,
                                             const SteadyOptions& options) {
   const spatial::Model& model = *scenario.space;
@@ -126,12 +137,9 @@ std::unique_ptr<SteadyModel> make_supported(const Scenario& scenario,
   SupportedParts parts;
   parts.rotor = [=, sensors = choose_sensors(scenario.sensors, false),
                  blades = model.blades.size()](const Eigen::Matrix3d& axes, DeadLoads loads) {
-    System<Space> placed = machine->rotor;
-    placed.hub.orientation = make_quaternion(space::Rotation{axes});
-    placed.hub.drive = ConstantSpeed{options.speed};
     SteadyOptions own = options;
     own.is_whole = loads == DeadLoads::all;
-    return make_part(placed, sensors, machine->rotor_trees, blades, loops, own);
+    return make_rotor(*machine, axes, sensors, blades, loops, own);
   };
   parts.support = [=, sensors = choose_sensors(scenario.sensors, true)](const HubVector& wrench) {
     System<Space> loaded = machine->support;
@@ -166,7 +174,24 @@ std::unique_ptr<SteadyModel> make_spatial(const Scenario& scenario, const Steady
 
 std::unique_ptr<SteadyModel> make_steady_model(const Scenario& scenario,
                                                const SteadyOptions& options) {
-  return scenario.space ? make_spatial(scenario, options) : make_planar(scenario, options);
+  if (!scenario.space) return make_planar(scenario, options);
+  if (has_changing_wind(scenario))
+    return make_spatial(in_mean_wind(scenario, options.instant), options);
+  return make_spatial(scenario, options);
+}
+
+std::unique_ptr<SteadyModel> make_rotor_model(const Scenario& scenario,
+                                              const SteadyOptions& options) {
+  assert(scenario.space);
+  if (has_changing_wind(scenario))
+    return make_rotor_model(in_mean_wind(scenario, options.instant), options);
+  if (!scenario.space->support) return make_spatial(scenario, options);
+  const std::shared_ptr<const Machine> machine = make_machine(*scenario.space, options);
+  const spatial::Placement hub = calc_placements(machine->support_tree.front()).back();
+  const space::Rotation base = make_rotation(machine->support.hub.orientation);
+  return make_rotor(*machine, (base * space::Rotation{hub.rotation}).axes,
+                    choose_sensors(scenario.sensors, false), scenario.space->blades.size(),
+                    make_loop_limits(scenario.integration), options);
 }
 
 }  // namespace spoke::steady

@@ -55,16 +55,25 @@ double steady_value(const space::DrivenMotion& motion, Instant instant) {
 }
 
 std::vector<Curve*> hold_joints(System<Plane>&, Instant) { return {}; }
-/// Holds prescribed joints at their steady values, and returns the motors of the others.
+/// Holds prescribed joints at their steady values, those of controllers at the initial angle, and
+/// returns the motors of the others.
 std::vector<Curve*> hold_joints(System<Space>& system, Instant instant) {
   std::vector<Curve*> motors;
-  for (Subsystem<Space>& subsystem : system.subsystems)
+  for (Subsystem<Space>& subsystem : system.subsystems) {
     for (TreeBody<Space>& body : subsystem.bodies) {
       space::JointCourse& course = body.joint.course;
       for (space::DrivenMotion& motion : course.driven)
         motion = spatial::MotionTable{Curve(steady_value(motion, instant))};
+      if (course.control >= 0) {
+        const PitchControl& control = subsystem.controls[static_cast<std::size_t>(course.control)];
+        const double own = std::get<spatial::MotionTable>(course.driven[0]).value.value(0.0);
+        course.driven[0] = spatial::MotionTable{Curve(own + control.sign * control.initial)};
+        course.control = -1;
+      }
       for (Curve& effort : course.efforts) motors.push_back(&effort);
     }
+    subsystem.controls.clear();
+  }
   return motors;
 }
 

@@ -10,9 +10,11 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "engine/air/blade_air.h"
 #include "engine/equilibrium.h"
 #include "engine/linearize.h"
 #include "models/scenario.h"
@@ -123,6 +125,15 @@ struct RootLoad {
   Eigen::Vector3d moment;  ///< [N m]
 };
 
+/// What air does to a subsystem: along and about the axis of the hub, and at its stations.
+struct SubsystemAir {
+  double thrust = 0.0;         ///< [N]
+  double torque = 0.0;         ///< [N m]
+  double wind = 0.0;           ///< at the hub against it, along the axis [m/s]
+  std::vector<double> places;  ///< of the stations, from the root [m]
+  std::vector<air::StationAir> stations;
+};
+
 /// The time at which loads have the values that count.
 enum class Instant {
   end,    ///< behind all ramps and curves
@@ -191,6 +202,10 @@ class SteadyModel {
   /// Sets the share of loads, gravity and the speed's square, from 0 to 1.
   virtual void set_share(double share) = 0;
 
+  /// Holds induced velocities and separation on a subsystem at those of the state that was
+  /// evaluated last, or lets them follow every state at once again.
+  virtual void hold_air(std::size_t subsystem, bool holds) = 0;
+
   /// Adds a motion about the axis to the hub's steady rotation, besides which the offsets of all
   /// that follows are: its turn, its speed, and its acceleration.
   virtual void move_hub(double turn, double rate, double acceleration) = 0;
@@ -242,6 +257,8 @@ class SteadyModel {
   // At the state that was evaluated last.
   virtual std::vector<NodePlace> places(std::size_t subsystem) = 0;
   virtual TipMotion tip(std::size_t subsystem) = 0;
+  /// Returns what air does to a subsystem; none: nothing.
+  virtual std::optional<SubsystemAir> air(std::size_t subsystem) const = 0;
   /// Precondition: accelerations() was called at this state.
   virtual std::vector<RootLoad> root_loads(std::size_t subsystem) const = 0;
   /// Returns for each body its largest deflection across its axis by its length; 0 for rigid ones.
@@ -271,6 +288,25 @@ class SteadyModel {
   double speed_ = 0.0;
 };
 
+/// Holds the air on a subsystem at a state, as SteadyModel::hold_air(), while it lives: motions
+/// that are fast beside the inflow leave it as it is.
+class HeldAir {
+ public:
+  HeldAir(std::size_t subsystem, const SubsystemState& state, SteadyModel& model)
+      : subsystem_(subsystem), model_(model) {
+    SubsystemResponse response;
+    model.evaluate(subsystem, state, model.no_offset(), response);
+    model.hold_air(subsystem, true);
+  }
+  ~HeldAir() { model_.hold_air(subsystem_, false); }
+  HeldAir(const HeldAir&) = delete;
+  HeldAir& operator=(const HeldAir&) = delete;
+
+ private:
+  std::size_t subsystem_;
+  SteadyModel& model_;
+};
+
 /// Makes the model of a scenario in steady rotation. Loads, motors and prescribed joints have the
 /// values of their curves at options.instant, pitch by azimuth its mean. Where the hub turns,
 /// gravity and loads of constant direction count with their part along the axis. Where the hub is
@@ -278,5 +314,10 @@ class SteadyModel {
 /// SupportedModel. Throws InputError like Simulation.
 std::unique_ptr<SteadyModel> make_steady_model(const Scenario& scenario,
                                                const SteadyOptions& options);
+
+/// Makes the model of the rotor of a scenario in space alone, without what carries it: its axle
+/// stands as on the undeformed support.
+std::unique_ptr<SteadyModel> make_rotor_model(const Scenario& scenario,
+                                              const SteadyOptions& options);
 
 }  // namespace spoke::steady

@@ -64,6 +64,17 @@ TipMotion SteadySystem<World>::tip(std::size_t subsystem) {
 }
 
 template <class World>
+std::optional<SubsystemAir> SteadySystem<World>::air(std::size_t subsystem) const {
+  const std::optional<AirData<World>>& own = data(subsystem).air;
+  if (!own) return std::nullopt;
+  return SubsystemAir{own->sum.thrust,
+                      own->sum.torque,
+                      own->sum.wind,
+                      own->blade->stations(),
+                      {own->stations.begin(), own->stations.end()}};
+}
+
+template <class World>
 std::vector<RootLoad> SteadySystem<World>::root_loads(std::size_t subsystem) const {
   assert(subsystem < subsystems());
   std::vector<RootLoad> loads;
@@ -165,6 +176,7 @@ template Eigen::MatrixXd SteadySystem<Plane>::turn_outputs(std::size_t, double) 
 template std::vector<SolidDeformation> SteadySystem<Plane>::solids(std::size_t) const;
 template std::vector<NodePlace> SteadySystem<Plane>::places(std::size_t);
 template TipMotion SteadySystem<Plane>::tip(std::size_t);
+template std::optional<SubsystemAir> SteadySystem<Plane>::air(std::size_t) const;
 template std::vector<RootLoad> SteadySystem<Plane>::root_loads(std::size_t) const;
 template std::vector<double> SteadySystem<Plane>::bending(std::size_t) const;
 template bool SteadySystem<Space>::is_steady(const SensorColumn&) const;
@@ -174,6 +186,7 @@ template Eigen::MatrixXd SteadySystem<Space>::turn_outputs(std::size_t, double) 
 template std::vector<SolidDeformation> SteadySystem<Space>::solids(std::size_t) const;
 template std::vector<NodePlace> SteadySystem<Space>::places(std::size_t);
 template TipMotion SteadySystem<Space>::tip(std::size_t);
+template std::optional<SubsystemAir> SteadySystem<Space>::air(std::size_t) const;
 template std::vector<RootLoad> SteadySystem<Space>::root_loads(std::size_t) const;
 template std::vector<double> SteadySystem<Space>::bending(std::size_t) const;
 

@@ -11,6 +11,7 @@
 
 #include "engine/columns/spatial_columns.h"
 #include "engine/formulation/loops.h"
+#include "engine/kernels/air_terms.h"
 #include "engine/kernels/deformation_limits.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/hub_solve.h"
@@ -37,7 +38,8 @@ constexpr double kLate = std::numeric_limits<double>::max();
 /// Whether nodes of this stage lead to the terms of bodies.
 bool makes_terms(const std::string& stage) {
   return stage == stages::kPosition || stage == stages::kVelocity || stage == stages::kLoad ||
-         stage == stages::kAppliedForces || stage == stages::kMassTile || stage == stages::kMass;
+         stage == stages::kAir || stage == stages::kAppliedForces || stage == stages::kMassTile ||
+         stage == stages::kMass;
 }
 /// Whether nodes of this stage lead from the terms to the accelerations.
 bool solves(const std::string& stage) {
@@ -71,6 +73,7 @@ SteadySystem<World>::SteadySystem(const SystemMaker<World>& maker,
     if (!is_prescribed(hub_, c)) free_.push_back(c);
   const bool is_axial = (speed_ != 0.0 || options.is_axial) && !options.is_whole;
   loads_.emplace(context_.system, is_axial, options.instant);
+  if (context_.system.wind) blow(is_axial);
   hold_anchors(context_.system, speed_ != 0.0, options.instant);
   context_.system.hub.support = HubSupport::axle;
   hold_hub();
@@ -87,6 +90,27 @@ SteadySystem<World>::SteadySystem(const SystemMaker<World>& maker,
   for (std::size_t i = 0; i < subsystems(); ++i)
     rows_.push_back(list_rows(context_.system.subsystems[i], data(i)));
   set_undeformed();
+}
+
+/// Takes the wind at the hub for that of all places.
+template <class World>
+void SteadySystem<World>::blow(bool is_axial) {
+  if constexpr (std::is_same_v<World, Space>) {
+    System<Space>& system = context_.system;
+    wind_ = std::make_shared<SteadyWind>(system.wind->velocity(Eigen::Vector3d::Zero(), 0.0));
+    if (is_axial) wind_->keep_axial(make_rotation(system.hub.orientation).axes.col(2));
+    system.wind = wind_;
+  }
+}
+
+template <class World>
+void SteadySystem<World>::hold_air(std::size_t subsystem, bool holds) {
+  SubsystemData<World>& own = data(subsystem);
+  if (!own.air) return;
+  if (holds)
+    keep_air(own);
+  else
+    own.air->states.back() = 0.0;
 }
 
 template <class World>
@@ -175,6 +199,7 @@ void SteadySystem<World>::set_share(double share) {
   assert(share >= 0.0 && share <= 1.0);
   share_ = share;
   loads_->set_share(share);
+  if (wind_) wind_->set_share(std::sqrt(share));
   hold_hub();
 }
 
@@ -346,6 +371,7 @@ template SteadySystem<Plane>::SteadySystem(const SystemMaker<Plane>&, std::vecto
 template bool SteadySystem<Plane>::has_torque_drive() const;
 template Eigen::Matrix3d SteadySystem<Plane>::root_axes(std::size_t, int) const;
 template void SteadySystem<Plane>::set_share(double);
+template void SteadySystem<Plane>::hold_air(std::size_t, bool);
 template void SteadySystem<Plane>::move_hub(double, double, double);
 template Eigen::VectorXd SteadySystem<Plane>::initial(std::size_t) const;
 template void SteadySystem<Plane>::settle(std::size_t, Eigen::VectorXd&);
@@ -367,6 +393,7 @@ template SteadySystem<Space>::SteadySystem(const SystemMaker<Space>&, std::vecto
 template bool SteadySystem<Space>::has_torque_drive() const;
 template Eigen::Matrix3d SteadySystem<Space>::root_axes(std::size_t, int) const;
 template void SteadySystem<Space>::set_share(double);
+template void SteadySystem<Space>::hold_air(std::size_t, bool);
 template void SteadySystem<Space>::move_hub(double, double, double);
 template Eigen::VectorXd SteadySystem<Space>::initial(std::size_t) const;
 template void SteadySystem<Space>::settle(std::size_t, Eigen::VectorXd&);

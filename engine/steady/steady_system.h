@@ -4,6 +4,7 @@
 // subsystem.
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,13 +12,15 @@
 #include "engine/columns/sensor_columns.h"
 #include "engine/steady/steady_loads.h"
 #include "engine/steady/steady_model.h"
+#include "engine/steady/steady_wind.h"
 #include "engine/steady/subsystem_names.h"
 #include "engine/step/step_context.h"
 #include "graph/step_graph.h"
 
 namespace spoke::steady {
 
-/// Makes the system of a world, and places the scenario's sensors in its table.
+/// Makes the system of a world, and places the scenario's sensors in its table. The wind of a
+/// system in air is that at its hub.
 template <class World>
 struct SystemMaker {
   std::function<void(System<World>&)> fill;
@@ -51,6 +54,7 @@ class SteadySystem final : public SteadyModel {
   bool is_hub_free() const override { return hub_.support == HubSupport::free; }
   bool has_torque_drive() const override;
   void set_share(double share) override;
+  void hold_air(std::size_t subsystem, bool holds) override;
   void move_hub(double turn, double rate, double acceleration) override;
   Eigen::VectorXd initial(std::size_t subsystem) const override;
   void settle(std::size_t subsystem, Eigen::VectorXd& q) override;
@@ -77,6 +81,7 @@ class SteadySystem final : public SteadyModel {
   Eigen::MatrixXd hub_mass() const override;
   std::vector<NodePlace> places(std::size_t subsystem) override;
   TipMotion tip(std::size_t subsystem) override;
+  std::optional<SubsystemAir> air(std::size_t subsystem) const override;
   std::vector<RootLoad> root_loads(std::size_t subsystem) const override;
   std::vector<double> bending(std::size_t subsystem) const override;
   Eigen::VectorXd absolute(std::size_t subsystem, const Eigen::VectorXd& q) const override;
@@ -91,6 +96,7 @@ class SteadySystem final : public SteadyModel {
   using Twist = TwistOf<World>;
 
   void hold_hub();
+  void blow(bool is_axial);
   void place(std::size_t subsystem, const SubsystemState& state);
   void put_bodies(std::size_t subsystem, const Eigen::VectorXd& q, const Eigen::VectorXd& v);
   Eigen::VectorXd take_bodies(std::size_t subsystem) const;
@@ -114,6 +120,7 @@ class SteadySystem final : public SteadyModel {
   double share_ = 1.0;
   std::optional<HubOffset> moved_;  ///< by move_hub()
   std::optional<SteadyLoads<World>> loads_;
+  std::shared_ptr<SteadyWind> wind_;  ///< null: no air acts
   std::optional<graph::StepGraph> graph_;
   /// By subsystem, in the order of a pass: nodes of kinematics and terms, and the nodes behind
   /// them.

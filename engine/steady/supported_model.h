@@ -86,6 +86,7 @@ class SupportedModel final : public SteadyModel {
   bool is_hub_free() const override { return support_->is_hub_free(); }
   bool has_torque_drive() const override { return parts_.has_torque; }
   void set_share(double share) override;
+  void hold_air(std::size_t i, bool holds) override { of(i).hold_air(in(i), holds); }
   void move_hub(double turn, double rate, double acceleration) override {
     rotor_->move_hub(turn, rate, acceleration);
   }
@@ -121,6 +122,7 @@ class SupportedModel final : public SteadyModel {
   Eigen::MatrixXd hub_mass() const override { return rotor_->hub_mass(); }
   std::vector<NodePlace> places(std::size_t i) override { return of(i).places(in(i)); }
   TipMotion tip(std::size_t i) override { return of(i).tip(in(i)); }
+  std::optional<SubsystemAir> air(std::size_t i) const override { return of(i).air(in(i)); }
   std::vector<RootLoad> root_loads(std::size_t i) const override { return of(i).root_loads(in(i)); }
   std::vector<double> bending(std::size_t i) const override { return of(i).bending(in(i)); }
   Eigen::VectorXd absolute(std::size_t i, const Eigen::VectorXd& q) const override {

@@ -24,6 +24,7 @@ PartList loads_on(const Assembly<World>& g, int i, int j) {
                       }))
         list.push_back(g.parts.subsystems[first].loads[k]);
   }
+  if (g.c.data.subsystems[i].air) list.push_back(g.subsystem(i).air);
   return list;
 }
 

@@ -54,7 +54,7 @@ int find_hub(const Assembly<World>& g, int i, int j) {
   return r >= 0 && g.c.system.rotors[static_cast<std::size_t>(r)].body == j ? r : -1;
 }
 
-/// Returns the parts of the user's loads that act on body `j` of subsystem `i`.
+/// Returns the parts of the user's loads, and of air, that act on body `j` of subsystem `i`.
 template <class World>
 PartList loads_on(const Assembly<World>& g, int i, int j);
 /// Whether a body's joint has coordinates, whose accelerations then are among those of the body.

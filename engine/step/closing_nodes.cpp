@@ -3,6 +3,7 @@
 #include "engine/step/closing_nodes.h"
 
 #include "engine/formulation/loops.h"
+#include "engine/kernels/air_terms.h"
 #include "engine/kernels/hub_solve.h"
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/loop_motion.h"
@@ -10,6 +11,7 @@
 #include "engine/kernels/samples.h"
 #include "engine/space/joint_values.h"
 #include "engine/space/supported_rotor.h"
+#include "engine/step/control_nodes.h"
 #include "engine/step/pass_integration.h"
 
 namespace spoke {
@@ -86,9 +88,9 @@ void keep_readings(const SystemContext<Plane>& c, std::size_t i, std::int64_t st
 void keep_readings(const SystemContext<Space>& c, std::size_t i, std::int64_t step,
                    StepData<Space>& table) {
   SubsystemData<Space>& own = table.subsystems[i];
-  if (own.reading_count > 0) keep_joint_values(c.system.subsystems[i], step, own);
-  if (!own.readings.empty())
-    calc_readings(c.system, i, step, static_cast<double>(step) * step_size(c.integrator), table);
+  const double t = static_cast<double>(step) * step_size(c.integrator);
+  if (own.reading_count > 0) keep_own_values(step, t, own);
+  if (!own.readings.empty()) calc_readings(c.system, i, step, t, table);
 }
 
 }  // namespace
@@ -106,13 +108,18 @@ void add_finish(const Assembly<World>& g) {
     for (const auto member : {&BodyParts::coordinates, &BodyParts::accelerations})
       for (const PartId part : support.all(member)) supports.push_back(part);
   }
-  PartList loops;
-  for (const SubsystemParts& own : parts.subsystems)
-    if (!own.loops.is_empty) loops.push_back(own.loops.report);
+  PartList reports;
+  for (std::size_t i = 0; i < parts.subsystems.size(); ++i) {
+    const SubsystemParts& own = parts.subsystems[i];
+    if (!own.loops.is_empty) reports.push_back(own.loops.report);
+    if (!c.data.subsystems[i].air) continue;
+    reports.push_back(own.air);
+    outputs.push_back(own.air_states);
+  }
   if (is_corrected) outputs.push_back(parts.hub_state);
   g.builder.add_node(
       g.label(stages::kFinish),
-      reads(outputs, supports, loops, parts.all(&BodyParts::report), parts.all(&BodyParts::terms),
+      reads(outputs, supports, reports, parts.all(&BodyParts::report), parts.all(&BodyParts::terms),
             parts.hub_solution, parts.hub_state, parts.hub_coordinates),
       writes(outputs), [&c, is_corrected]() noexcept {
         StepProgress& progress = c.data.progress[0];
@@ -122,6 +129,7 @@ void add_finish(const Assembly<World>& g) {
         }
         finish_system(c.system, c.integrator, c.data);
         if (progress.completed < 0) return;
+        for (SubsystemData<World>& subsystem : c.data.subsystems) keep_air(subsystem);
         // The sensors need it: the last correction has moved the hub once more.
         if (is_corrected) c.data.hub = calc_hub_state(c.data);
         const double t = static_cast<double>(progress.completed) * step_size(c.integrator);
@@ -136,17 +144,22 @@ void add_subsystem_finish(const Assembly<World>& g, int i) {
   const Integrator& integrator = g.c.integrator;
   const Window& window = g.c.data.window;
   SubsystemData<World>& data = g.c.data.subsystems[i];
-  PartList loops;
-  if (!own.loops.is_empty) loops.push_back(own.loops.report);
+  PartList reports, states;
+  if (!own.loops.is_empty) reports.push_back(own.loops.report);
+  if (data.air) {
+    reports.push_back(own.air);
+    states.push_back(own.air_states);
+  }
   g.builder.add_node(g.label(stages::kFinish, i),
-                     reads(loops, own.progress, own.all(&BodyParts::report),
+                     reads(reports, states, own.progress, own.all(&BodyParts::report),
                            own.all(&BodyParts::terms), own.effective, own.hub_state, own.records),
-                     writes(own.progress, own.records),
+                     writes(own.progress, own.records, states),
                      [&hub = g.c.system.hub, &integrator, &window, &data]() noexcept {
                        if (data.progress->is_halted)
                          data.progress->completed = StepProgress::kNone;
                        else
                          finish_subsystem<World>(hub, integrator, window, data);
+                       if (data.progress->completed >= 0) keep_air(data);
                      });
 }
 
@@ -161,25 +174,28 @@ void add_sensors(const Assembly<World>& g, int i) {
   if (data.reading_count > 0) outputs.push_back(own.readings);
   for (const PartId part : sample_outputs(g, i)) outputs.push_back(part);
   if (!own.loops.is_empty) outputs.push_back(own.loops.motion);
+  PartList air;
+  if (data.air) air.push_back(own.air);
   const PartList inputs{own.rotations, own.twists};
   if (is_corrected) outputs.insert(outputs.end(), inputs.begin(), inputs.end());
-  g.builder.add_node(g.label(stages::kSensors, i),
-                     reads(own.progress, own.all(&BodyParts::coordinates), own.hub_state, inputs,
-                           joint_load_inputs(g, i), reading_inputs(g, i), outputs),
-                     writes(outputs), [&c, &table, &data, i, is_corrected]() noexcept {
-                       const std::int64_t step = data.progress->completed;
-                       if (step < 0) return;
-                       const auto index = static_cast<std::size_t>(i);
-                       const Subsystem<World>& subsystem = c.system.subsystems[index];
-                       keep_joint_loads(subsystem, data);
-                       keep_loop_loads(data);
-                       if (!table.window.observed) return;
-                       if (is_corrected) update_kinematics(subsystem, data);
-                       const double t = static_cast<double>(step) * step_size(c.integrator);
-                       update_loops(c.system, index, t, table);
-                       of_step(data.samples, step) = calc_sample(c.system, index, data);
-                       keep_readings(c, index, step, table);
-                     });
+  g.builder.add_node(
+      g.label(stages::kSensors, i),
+      reads(own.progress, own.all(&BodyParts::coordinates), own.hub_state, inputs,
+            joint_load_inputs(g, i), reading_inputs(g, i), controls_of(g, i), air, outputs),
+      writes(outputs), [&c, &table, &data, i, is_corrected]() noexcept {
+        const std::int64_t step = data.progress->completed;
+        if (step < 0) return;
+        const auto index = static_cast<std::size_t>(i);
+        const Subsystem<World>& subsystem = c.system.subsystems[index];
+        keep_joint_loads(subsystem, data);
+        keep_loop_loads(data);
+        if (!table.window.observed) return;
+        if (is_corrected) update_kinematics(subsystem, data);
+        const double t = static_cast<double>(step) * step_size(c.integrator);
+        update_loops(c.system, index, t, table);
+        of_step(data.samples, step) = calc_sample(c.system, index, data);
+        keep_readings(c, index, step, table);
+      });
 }
 
 template void add_finish(const Assembly<Plane>&);

@@ -56,9 +56,10 @@ void add_driven(const SystemContext<World>& context, std::size_t subsystem, doub
     const Subsystem<World>& model = context.system.subsystems[subsystem];
     const bool hub_turns = turns(context.system.hub, duration);
     for_loop_bodies(model, context.data.subsystems[subsystem].loops, [&](std::size_t j) {
-      const std::vector<space::DrivenMotion>& driven = model.bodies[j].joint.course.driven;
+      const space::JointCourse& course = model.bodies[j].joint.course;
+      const std::vector<space::DrivenMotion>& driven = course.driven;
       for (std::size_t c = 0; c < driven.size(); ++c)
-        if (moves(driven[c], duration, hub_turns))
+        if ((c == 0 && course.control >= 0) || moves(driven[c], duration, hub_turns))
           given.add(kinematics.calc_driven_column(static_cast<int>(j), static_cast<int>(c)),
                     "the driven joint of body " + std::to_string(j + 1));
     });
@@ -124,9 +125,11 @@ bool may_be_moved(const System<World>& system, const Subsystem<World>& subsystem
         moves(system.anchors[static_cast<std::size_t>(loop.to.anchor)]))
       return true;
   if constexpr (tree::kHasJointCoordinates<World>)
-    for (const TreeBody<World>& body : subsystem.bodies)
+    for (const TreeBody<World>& body : subsystem.bodies) {
+      if (body.joint.course.control >= 0) return true;
       for (const space::DrivenMotion& motion : body.joint.course.driven)
         if (std::holds_alternative<space::SaidMotion>(motion)) return true;
+    }
   return false;
 }
 

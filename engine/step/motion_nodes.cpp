@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/kernels/air_terms.h"
 #include "engine/kernels/applied_forces.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/kinematics.h"
@@ -14,6 +15,7 @@
 #include "engine/plane/section_loads.h"
 #include "engine/space/supported_rotor.h"
 #include "engine/space/table_terms.h"
+#include "engine/step/control_nodes.h"
 #include "engine/step/pass_integration.h"
 
 namespace spoke {
@@ -34,17 +36,17 @@ PartList chain_coordinates(const Assembly<World>& g, int i) {
   return list;
 }
 
-/// Returns the parts on which the places of a load's markers depend: on each of its subsystems the
-/// bodies up to the outermost marker's own; in space the handles of those inboard are with the
-/// rotations.
+/// Returns the parts on which the places of markers depend: on each of their subsystems the bodies
+/// up to the outermost marker's own; in space the handles of those inboard are with the rotations.
 template <class World>
-PartList load_inputs(const Assembly<World>& g, const LoadData<World>& load) {
-  const SubsystemParts& first = g.subsystem(load.subsystems.front());
+PartList marker_inputs(const Assembly<World>& g, const std::vector<int>& subsystems,
+                       const std::vector<PlacedMarker<World>>& markers) {
+  const SubsystemParts& first = g.subsystem(subsystems.front());
   PartList inputs{first.progress, first.hub_state};
-  for (const int i : load.subsystems) {
+  for (const int i : subsystems) {
     const SubsystemParts& own = g.subsystem(i);
     int last = 0;
-    for (const PlacedMarker<World>& marker : load.markers)
+    for (const PlacedMarker<World>& marker : markers)
       if (marker.subsystem == i) last = std::max(last, marker.body);
     inputs.push_back(own.rotations);
     inputs.push_back(own.twists);
@@ -54,12 +56,14 @@ PartList load_inputs(const Assembly<World>& g, const LoadData<World>& load) {
   return inputs;
 }
 
-/// Returns the workspaces that placing a load's markers uses: those of the solids that stiffen in
-/// their trees, which draw what they carry inward.
-PartList load_scratch(const Assembly<Plane>&, const LoadData<Plane>&) { return {}; }
-PartList load_scratch(const Assembly<Space>& g, const LoadData<Space>& load) {
+/// Returns the workspaces that placing markers uses: those of the solids that stiffen in their
+/// trees, which draw what they carry inward.
+PartList marker_scratch(const Assembly<Plane>&, const std::vector<PlacedMarker<Plane>>&) {
+  return {};
+}
+PartList marker_scratch(const Assembly<Space>& g, const std::vector<PlacedMarker<Space>>& markers) {
   PartList scratch;
-  for (const PlacedMarker<Space>& marker : load.markers) {
+  for (const PlacedMarker<Space>& marker : markers) {
     const auto& bodies = g.c.data.subsystems[marker.subsystem].bodies;
     for (std::size_t j = 0; std::cmp_less_equal(j, marker.body); ++j)
       if (bodies[j].solid_tension && bodies[j].model->stiffening)
@@ -181,7 +185,7 @@ void add_velocity(const Assembly<World>& g, int i) {
   }
   g.builder.add_node(g.label(stages::kVelocity, i),
                      reads(own.progress, chain_coordinates(g, i), own.rotations, own.hub_state,
-                           azimuth, accelerations, modal),
+                           azimuth, accelerations, modal, controls_of(g, i)),
                      writes(outputs),
                      unless_halted(*data.progress, [&system, &subsystem, &table, &data, i,
                                                     has_tension]() noexcept {
@@ -216,13 +220,32 @@ void add_loads_of_user(const Assembly<World>& g, int i) {
     NodeLabel label =
         load.subsystems.size() > 1 ? g.label(stages::kLoad) : g.label(stages::kLoad, i);
     if (has_several_loads(c.data)) label.item = "load " + std::to_string(load.number + 1);
-    const PartList scratch = load_scratch(g, load);
+    const PartList scratch = marker_scratch(g, load.markers);
     g.builder.add_node(
-        label, reads(load_inputs(g, load), scratch), writes(g.subsystem(i).loads[k], scratch),
+        label, reads(marker_inputs(g, load.subsystems, load.markers), scratch),
+        writes(g.subsystem(i).loads[k], scratch),
         unless_halted(*data.progress, [&c, &progress = *data.progress, &load]() noexcept {
           evaluate_load(progress.control.time, c.system, c.data, load);
         }));
   }
+}
+
+template <class World>
+void add_air(const Assembly<World>& g, int i) {
+  const SystemContext<World>& c = g.c;
+  SubsystemData<World>& data = g.c.data.subsystems[i];
+  if (!data.air) return;
+  const SubsystemParts& own = g.subsystem(i);
+  const double h = step_size(c.integrator);
+  g.builder.add_node(
+      g.label(stages::kAir, i), reads(marker_inputs(g, {i}, data.air->markers), own.air_states),
+      writes(own.air), unless_halted(*data.progress, [&c, &data, i, h]() noexcept {
+        const StepProgress& progress = *data.progress;
+        const bool is_between = progress.control.is_between_steps();
+        const double begin = static_cast<double>(progress.step - (is_between ? 0 : 1)) * h;
+        const double t = progress.control.time;
+        evaluate_air(t, std::max(0.0, t - begin), c.system, static_cast<std::size_t>(i), data);
+      }));
 }
 
 namespace {
@@ -301,6 +324,7 @@ template void add_coordinates(const Assembly<Plane>&, int);
 template void add_position(const Assembly<Plane>&, int);
 template void add_velocity(const Assembly<Plane>&, int);
 template void add_loads_of_user(const Assembly<Plane>&, int);
+template void add_air(const Assembly<Plane>&, int);
 template void add_applied_forces(const Assembly<Plane>&, int);
 template void add_flight_acceleration(const Assembly<Plane>&);
 template void add_hub_motion(const Assembly<Space>&);
@@ -309,6 +333,7 @@ template void add_coordinates(const Assembly<Space>&, int);
 template void add_position(const Assembly<Space>&, int);
 template void add_velocity(const Assembly<Space>&, int);
 template void add_loads_of_user(const Assembly<Space>&, int);
+template void add_air(const Assembly<Space>&, int);
 template void add_applied_forces(const Assembly<Space>&, int);
 template void add_flight_acceleration(const Assembly<Space>&);
 

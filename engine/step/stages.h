@@ -5,11 +5,13 @@
 
 namespace spoke::stages {
 
+inline constexpr const char* kControl = "control";
 inline constexpr const char* kHubMotion = "hub motion";
 inline constexpr const char* kCoordinates = "coordinates";
 inline constexpr const char* kPosition = "position";
 inline constexpr const char* kVelocity = "velocity";
 inline constexpr const char* kLoad = "load";  ///< the user's loads
+inline constexpr const char* kAir = "air";
 inline constexpr const char* kAppliedForces = "applied forces";
 inline constexpr const char* kFlightAcceleration = "flight acceleration";
 inline constexpr const char* kMass = "mass";

@@ -12,6 +12,7 @@
 #include "engine/plane/table_terms.h"
 #include "engine/space/table_terms.h"
 #include "engine/step/closing_nodes.h"
+#include "engine/step/control_nodes.h"
 #include "engine/step/loop_nodes.h"
 #include "engine/step/motion_nodes.h"
 #include "engine/step/solution_nodes.h"
@@ -31,7 +32,11 @@
 // Closed loops add "loop motion" behind "velocity", a node "loop columns" for each loop and "loop
 // factor" behind "effective", and "loop forces" before "multipliers". The hub does not see them.
 //
-// A load of the user's on the subsystem is a node between "velocity" and the "mass" of its bodies.
+// Controllers of a subsystem are a node "control" before all of these, which changes nothing but in
+// the first pass of a step; "velocity" follows it.
+//
+// A load of the user's on the subsystem is a node between "velocity" and the "mass" of its bodies,
+// and so is "air". "finish" keeps the states that the step's last "air" has reached.
 // One between subsystems is a node of no subsystem, and makes the passes of all subsystems one, as
 // below.
 //
@@ -220,11 +225,13 @@ void add_coupled_pass(const Assembly<World>& g, const Extent& own) {
     for_others(add);
     for_supports(add);
   };
+  for_others(add_control<World>);
   add_hub_motion(g);
   for_supports(add_motion<World>);
   for (int r = 0; r < rotors; ++r) add_rotor_motion(g, r);
   for_others(add_motion<World>);
   for_each(add_loads_of_user<World>);  // some of them between subsystems
+  for_each(add_air<World>);
   for_each(add_applied_forces<World>);
   if (own.sharing && own.sharing->forces) {
     PartList forces;
@@ -262,8 +269,10 @@ void add_coupled_pass(const Assembly<World>& g, const Extent& own) {
 
 template <class World>
 void add_pass_of_subsystem(const Assembly<World>& g, int i) {
+  add_control(g, i);
   add_motion(g, i);
   add_loads_of_user(g, i);
+  add_air(g, i);
   add_applied_forces(g, i);
   add_condensation(g, i);
   add_recoveries(g, i);

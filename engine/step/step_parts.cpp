@@ -188,6 +188,9 @@ SubsystemParts add_subsystem_parts(SystemContext<World>& context, int i,
   if (!data.modal_forces.empty())
     parts.modal_forces = builder.add_part(
         name + "modal forces", {bytes_of(data.modal_forces[0], data.modal_forces.size())});
+  if (!data.controls.empty())
+    parts.controls =
+        builder.add_part(name + "control", {bytes_of(data.controls[0], data.controls.size())});
   parts.wrenches = builder.add_part(name + "wrenches", memory_of_wrenches(data));
   parts.samples = add_ring(name + "samples", data.samples, builder);
   Memory joint_loads{bytes_of(data.root_load), bytes_of(data.joint_loads[0], count)};
@@ -220,6 +223,15 @@ SubsystemParts add_subsystem_parts(SystemContext<World>& context, int i,
   for (LoadData<World>& load : data.loads)
     parts.loads.push_back(builder.add_part(name + "load " + std::to_string(parts.loads.size() + 1),
                                            {bytes_of(load.wrenches[0], load.wrenches.size())}));
+  if (data.air) {
+    AirData<World>& air = *data.air;
+    parts.air = builder.add_part(name + "air",
+                                 {bytes_of(air.wrenches[0], air.wrenches.size()),
+                                  bytes_of(air.stations[0], air.stations.size()),
+                                  bytes_of(air.reached[0], air.reached.size()), bytes_of(air.sum)});
+    parts.air_states =
+        builder.add_part(name + "air states", {bytes_of(air.states[0], air.states.size())});
+  }
   return parts;
 }
 

@@ -45,13 +45,16 @@ struct SubsystemParts {
   graph::PartId drag_poses;             ///< if there are any
   graph::PartId applied_forces;         ///< if a tension depends on them
   graph::PartId modal_forces;           ///< if modes damp beams
+  graph::PartId controls;               ///< if controllers move its joints
   graph::PartId joint_loads, readings;  ///< with the load of the root; if there are sensors
   graph::PartId progress, hub_state, hub_acceleration;  ///< own ones, or the system's if coupled
   graph::PartId records;                                ///< if not coupled
   graph::PartId workspace;                              ///< workspace of the effective inertia
   std::vector<graph::PartId> ports;                     ///< ports of the bodies (structured, space)
   std::vector<graph::PartId> loads;                     ///< wrenches of the user's loads
-  LoopParts loops;                                      ///< if there are loops
+  graph::PartId air;         ///< wrenches of air, and its states at the evaluated time, if any acts
+  graph::PartId air_states;  ///< its states at the end of the last step
+  LoopParts loops;           ///< if there are loops
 
   /// Returns one member of all bodies, parents before children.
   std::vector<graph::PartId> all(graph::PartId BodyParts::*member) const;

@@ -1,11 +1,12 @@
 #pragma once
 
-// Loads as they act on the subsystems: the user's own, and those of the scenario.
+// Loads as they act on the subsystems: the user's own, those of the scenario, and those of air.
 
 #include <exception>
 #include <memory>
 #include <vector>
 
+#include "engine/air/blade_air.h"
 #include "engine/body/body_types.h"
 #include "engine/load.h"
 #include "engine/space/section_loads.h"
@@ -70,6 +71,31 @@ struct PlacedLoad<Space, BodyLoad<Space>> {
   const BodyLoad<Space>* load = nullptr;
   std::vector<space::LoadedSections> sections;
   std::vector<space::Section> places;
+};
+
+/// What air does to the hub of a rotor. Part of the table: doubles only.
+struct AirSum {
+  double thrust = 0.0;  ///< along the axis [N]
+  double torque = 0.0;  ///< about the axis [N m]
+  double wind = 0.0;    ///< wind at the hub against it, along the axis [m/s]
+};
+
+/// Air on a blade: its markers are the stations.
+template <class World>
+struct AirData {
+  std::shared_ptr<const air::BladeAir> blade;
+  std::vector<PlacedMarker<World>> markers;
+  ArenaVector<SectionWrench<World>> wrenches;  ///< by marker
+  ArenaVector<air::StationAir> stations;       ///< by marker: what the evaluation has found
+  /// States of inflow and stall at the end of the last step, and whether there are any yet, 0 or 1:
+  /// before, air is in equilibrium.
+  ArenaVector<double> states;
+  ArenaVector<double> reached;  ///< states at the evaluated time
+  AirSum sum;                   ///< over the stations
+  // Arguments and results of the kernel: rewritten at every evaluation, no part of the table.
+  std::vector<MarkerMotion> motions;
+  std::vector<Eigen::Vector3d> winds;
+  std::vector<Wrench> forces;
 };
 
 }  // namespace spoke

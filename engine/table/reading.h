@@ -59,7 +59,8 @@ struct Reading<Space> {
   space::Pose rest;  ///< pose of the section in H, undeformed and with all joint coordinates zero
   std::size_t first = 0;  ///< place of its values among those of the subsystem
   // Members for a section's force.
-  double along = 0.0;  ///< where it is on its body, in elements from the inboard end
+  /// Where it is on its body, in elements from the inboard end; in air, in stations from the root.
+  double along = 0.0;
   space::SlotMatrix mass = space::SlotMatrix::Zero();  ///< mass of its element's part outboard
   std::vector<OutboardLoad> loads;
   /// Of a von Mises stress: the nodes of which it is the largest; bodies that are alike share them.

@@ -82,6 +82,7 @@ void allocate(const Subsystem<World>& subsystem, const TableOptions& options,
              count_fields(subsystem.bodies[j], options.history);
   }
   data.modal_forces = ArenaVector<double>(subsystem.modal_factors.size(), 0.0, arena);
+  data.controls = ArenaVector<ControlState>(subsystem.controls.size(), arena);
   data.storage = ArenaVector<double>(total, 0.0, arena);
   double* next = data.storage.data();
   for (BodyData<World>& body : data.bodies) {
@@ -258,9 +259,11 @@ std::vector<std::span<std::byte>> StepData<World>::state_memory() {
   add(progress);
   for (SubsystemData<World>& subsystem : subsystems) {
     add(subsystem.storage);
+    add(subsystem.controls);
     add(std::span(&subsystem.prescribed, 1));
     add(std::span(&subsystem.root_load, 1));
     add(subsystem.joint_loads);
+    if (subsystem.air) add(subsystem.air->states);
   }
   return memory;
 }

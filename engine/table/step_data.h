@@ -8,10 +8,12 @@
 #include <cassert>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "engine/table/body_data.h"
+#include "engine/table/control_data.h"
 #include "engine/table/loop_data.h"
 #include "engine/table/reading.h"
 #include "engine/table/step_table.h"
@@ -78,6 +80,7 @@ struct SubsystemSample {
   /// of loads.
   double gravity = 0.0;
   TwistOf<World> root = TwistOf<World>::Zero();  ///< see SubsystemData::root_load
+  AirSum air;
 };
 
 /// Work and reaction of a subsystem, or of a coupled system, in a step.
@@ -128,6 +131,7 @@ struct alignas(kInterferenceSize) SubsystemData {
   ArenaVector<double> storage;  ///< memory of all flex vectors
   std::vector<LoadData<World>>
       loads;  ///< the user's loads that have their first marker's subsystem here
+  std::optional<AirData<World>> air;  ///< if air acts on it; in space
   /// By body, the sum of the forces that are applied to it and to all that it carries, as the joint
   /// that carries it hands it on, hub frame [N], and at the end that of all that is applied; empty
   /// unless a tension depends on them.
@@ -136,6 +140,7 @@ struct alignas(kInterferenceSize) SubsystemData {
   /// there are none.
   ArenaVector<double> modal_forces;
   LoopData<World> loops;
+  ArenaVector<ControlState> controls;  ///< by Subsystem::controls
   /// StepData::flight_acceleration if the hub flies and its tension depends on it; else null.
   const PositionOf<World>* flight_acceleration = nullptr;
 

@@ -14,6 +14,7 @@
 #include "models/reader/scenario_sensors.h"
 #include "models/reader/spatial/model_check.h"
 #include "models/reader/spatial/sensor_reader.h"
+#include "models/reader/spatial/wind_reader.h"
 #include "models/start.h"
 #include "spoke/error.h"
 
@@ -267,6 +268,7 @@ void check_scenario(const Scenario& scenario) {
   if (!fault.empty()) fail("integration.step", fault);
   const std::string radius_fault = find_radius_fault(scenario.integration, scenario);
   if (!radius_fault.empty()) fail("integration.spectral_radius", radius_fault);
+  if (const spatial::Fault end = spatial::find_end_fault(scenario)) fail(end.path, end.text);
   check_fields("limits", scenario.limits);
   check_fields("output", scenario.output);
   if (scenario.space)

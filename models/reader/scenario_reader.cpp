@@ -8,6 +8,7 @@
 #include "models/reader/scenario_sensors.h"
 #include "models/reader/spatial/model_reader.h"
 #include "models/reader/spatial/sensor_reader.h"
+#include "models/reader/spatial/wind_reader.h"
 #include "models/reader/toml_document.h"
 #include "models/scenario.h"
 #include "models/start.h"
@@ -105,7 +106,8 @@ void read_world(const TomlDocument& document, const TomlSection& root, const std
     if (const std::string path = find_solid(document.root()); !path.empty())
       root.fail_at(path, "is \"solid\", and solids belong to world = \"space\"");
     refuse("subsystem", "\"space\"");
-    refuse("support", "\"space\"");
+    for (const char* key : {"support", "control", "air", "wind", "aerodynamics", "airfoil"})
+      refuse(key, "\"space\"");
     if (has_suspension(document.root()))
       root.fail_at("hub.suspension", "belongs to another world, expected world = \"space\"");
     scenario.rotor = read_rotor(root);
@@ -126,15 +128,18 @@ Scenario parse_scenario(const std::string& text, const std::string& name,
   TomlDocument document(text, name);
   for (const std::string& assignment : overrides) document.set(assignment);
   const TomlSection root(
-      document, {"title", "world", "hub", "anchor", "blade", "blades", "subsystem", "support",
-                 "gravity", "damping", "load", "distributed_load", "drag", "hub_load", "initial",
-                 "integration", "limits", "output", "sensor"});
+      document, {"title",     "world",    "hub",     "anchor",  "blade",        "blades",
+                 "subsystem", "support",  "gravity", "damping", "load",         "distributed_load",
+                 "drag",      "hub_load", "control", "initial", "integration",  "limits",
+                 "output",    "sensor",   "air",     "wind",    "aerodynamics", "airfoil"});
   Scenario scenario;
   scenario.name = name_of_file(name);
   scenario.title = root.text("title", scenario.name);
   read_world(document, root, std::filesystem::path(name).parent_path().string(), scenario);
   scenario.initial = read_initial(root, scenario);
   scenario.integration = read_integration(root, scenario);
+  if (const spatial::Fault fault = spatial::find_end_fault(scenario))
+    root.fail_at(fault.path, fault.text);
   scenario.limits = read_limits(root);
   visit_fields(scenario.output, FieldReader{root.section("output", {"interval"})});
   scenario.sensors = scenario.space ? spatial::read_sensors(root, *scenario.space)

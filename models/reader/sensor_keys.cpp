@@ -17,7 +17,10 @@ constexpr std::initializer_list<SensorQuantity> kQuantities{
     SensorQuantity::section_force, SensorQuantity::joint_reaction, SensorQuantity::hub_reaction,
     SensorQuantity::momentum,      SensorQuantity::blade_momentum, SensorQuantity::kinetic_energy,
     SensorQuantity::loop_reaction, SensorQuantity::loop_opening,   SensorQuantity::interface_force,
-    SensorQuantity::von_mises};
+    SensorQuantity::von_mises,     SensorQuantity::air_flow,       SensorQuantity::air_load};
+
+/// Whether a quantity is known in space alone.
+bool is_of_space(SensorQuantity quantity) { return is_of_solid(quantity) || is_of_air(quantity); }
 
 /// Whether a sensor of this quantity has a use for a key.
 bool takes(SensorQuantity quantity, std::string_view key) {
@@ -36,7 +39,7 @@ void require_fitting(const TomlSection& section, std::string_view key, SensorQua
   if (takes(quantity, key) || !section.has(key)) return;
   TomlSection::Keys fitting;
   for (const SensorQuantity other : kQuantities)
-    if (takes(other, key) && !(in_plane && is_of_solid(other))) fitting.push_back(name_of(other));
+    if (takes(other, key) && !(in_plane && is_of_space(other))) fitting.push_back(name_of(other));
   section.fail(key, "does not belong to quantity \"" + std::string(name_of(quantity)) +
                         "\", expected only with quantity " + join_names(fitting));
 }
@@ -49,7 +52,7 @@ SensorQuantity read_quantity(const TomlSection& section, bool in_plane) {
   TomlSection::Keys names;
   std::vector<SensorQuantity> quantities;
   for (const SensorQuantity quantity : kQuantities) {
-    if (in_plane && is_of_solid(quantity)) continue;
+    if (in_plane && is_of_space(quantity)) continue;
     names.push_back(name_of(quantity));
     quantities.push_back(quantity);
   }

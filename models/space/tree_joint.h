@@ -28,9 +28,12 @@ using DrivenMotion = std::variant<spatial::MotionTable, spatial::AzimuthMotion, 
 struct JointCourse {
   /// Drive of the axle of a rotor on a support, which turns the joint: its only component.
   std::optional<Drive> drive = std::nullopt;
-  std::vector<DrivenMotion> driven;   ///< motion by driven component
-  std::vector<Curve> efforts;         ///< motor by coordinate [N m, N]; none: no motors
-  double azimuth = 0.0;               ///< added to the hub's angle for AzimuthMotion [rad]
+  std::vector<DrivenMotion> driven;  ///< motion by driven component
+  std::vector<Curve> efforts;        ///< motor by coordinate [N m, N]; none: no motors
+  double azimuth = 0.0;              ///< added to the hub's angle for AzimuthMotion [rad]
+  /// Index in Subsystem::controls of the controller whose angle is added to the first driven
+  /// component's motion; -1: none.
+  int control = -1;
   std::vector<double> initial;        ///< coordinates at t = 0 [rad, m]
   std::vector<double> initial_speed;  ///< [rad/s, m/s]
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <memory>
 #include <span>
 #include <string>
@@ -175,6 +176,20 @@ bool is_moved(const System<Space>& system, const SupportedRotor& rotor) {
   });
 }
 
+/// Puts the joints of a subsystem that a controller names under its control. `tree`: that of the
+/// subsystem.
+void control_joints(const PitchControl& control, const spatial::Tree& tree,
+                    Subsystem<Space>& subsystem) {
+  for (std::size_t j = 0; j < tree.bodies.size(); ++j) {
+    const std::string& name = tree.bodies[j].joint.name;
+    if (name.empty() ||
+        std::find(control.joints.begin(), control.joints.end(), name) == control.joints.end())
+      continue;
+    subsystem.bodies[j].joint.course.control = 0;
+    subsystem.controls = {control};
+  }
+}
+
 /// Turns the loads on a hub to loads on the body that is the hub of a support.
 void move_hub_loads(const spatial::Model& model, const space::Rotation& to_axis,
                     TreeBody<Space>& hub) {
@@ -212,6 +227,38 @@ void add_support(const spatial::Model& model, const std::vector<spatial::Tree>& 
   system.rotors.back().is_moved = is_moved(system, system.rotors.back());
 }
 
+/// Places the aerodynamics of a blade on the bodies of its subsystem; where two bodies meet, a
+/// station is on the inner one.
+std::shared_ptr<const BladeAirModel> make_blade_air(const spatial::Blade& blade,
+                                                    const std::shared_ptr<const spatial::Air>& air,
+                                                    double hub_radius, int blades,
+                                                    const Subsystem<Space>& subsystem) {
+  BladeAirModel made{*blade.aerodynamics, air, blades, hub_radius, hub_radius, {}};
+  made.tip_radius += blade.beam.length * std::cos(blade.precone);
+  for (const double station : blade.aerodynamics->station) {
+    int body = 0;
+    while (std::cmp_less(body + 1, subsystem.bodies.size()) &&
+           subsystem.bodies[static_cast<std::size_t>(body)].body->flexible()->stations.back() <
+               station)
+      ++body;
+    made.places.push_back({body, station});
+  }
+  return std::make_shared<const BladeAirModel>(std::move(made));
+}
+
+/// Lets air act on the blades that have aerodynamics.
+void add_air(const spatial::Model& model, System<Space>& system) {
+  const auto air = std::make_shared<const spatial::Air>(*model.air);
+  system.wind = make_wind(air->wind);
+  const auto blades = static_cast<int>(
+      std::count_if(model.blades.begin(), model.blades.end(),
+                    [](const spatial::Blade& blade) { return blade.aerodynamics.has_value(); }));
+  for (std::size_t i = 0; i < model.blades.size(); ++i)
+    if (model.blades[i].aerodynamics)
+      system.subsystems[i].air =
+          make_blade_air(model.blades[i], air, model.hub.radius, blades, system.subsystems[i]);
+}
+
 }  // namespace
 
 System<Space> make_system(const spatial::Model& model, const std::vector<spatial::Tree>& trees,
@@ -240,6 +287,8 @@ System<Space> make_system(const spatial::Model& model, const std::vector<spatial
     system.subsystems.push_back(make_subsystem(trees[i], {.to_axis = to_axis, .centre = centre},
                                                make_body_loads(model, trees[i], i), bodies));
     if (model.support) system.subsystems.back().rotor = 0;
+    if (model.pitch_control)
+      control_joints(*model.pitch_control, trees[i], system.subsystems.back());
   }
   if (model.support) add_support(model, trees, machine.from_base, bodies, system);
   for (const Anchor& anchor : model.anchors) {
@@ -247,6 +296,7 @@ System<Space> make_system(const spatial::Model& model, const std::vector<spatial
     const bool is_of_base = model.support && anchor.frame == Anchor::Frame::mount;
     system.anchors.push_back(make_anchor(anchor, is_of_base ? space::Rotation{} : to_axis));
   }
+  if (model.air) add_air(model, system);
   require_azimuth(system);
   return system;
 }

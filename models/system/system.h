@@ -6,12 +6,15 @@
 #include <memory>
 #include <vector>
 
+#include "models/control.h"
 #include "models/plane/flexible_body.h"
 #include "models/plane/plane.h"
 #include "models/rotor.h"
 #include "models/system/beam_modes.h"
+#include "models/system/blade_air_model.h"
 #include "models/system/blade_loads.h"
 #include "models/system/loop_model.h"
+#include "models/wind.h"
 
 namespace spoke {
 
@@ -55,6 +58,8 @@ struct Subsystem {
   PositionOf<World> tip = PositionOf<World>::Zero();
   std::vector<TreeBody<World>> bodies;
   std::vector<LoopModel> loops;
+  std::shared_ptr<const BladeAirModel> air;  ///< null: none acts on it; always in the plane
+  std::vector<PitchControl> controls;        ///< controllers that move joints of it
   /// Factors f of the modes that damp its beams, beam by beam: D = b K + sum f w w^T [1/s].
   std::vector<double> modal_factors;
 
@@ -79,6 +84,7 @@ struct System {
   PositionOf<World> gravity = PositionOf<World>::Zero();
   double gravity_ramp = 0.0;  ///< [s]
   Damping damping;
+  std::shared_ptr<const WindField> wind;  ///< null where no air acts on a subsystem
 
   /// Returns the gravitational acceleration in force at time t [s].
   PositionOf<World> gravity_at(double t) const { return gravity * calc_rise(t, gravity_ramp); }

@@ -9,6 +9,7 @@
 
 #include "engine/simulation.h"
 #include "models/scenario.h"
+#include "program/cli/performance_arguments.h"
 #include "program/cli/steady_arguments.h"
 #include "program/cli/trace_arguments.h"
 
@@ -23,6 +24,7 @@ struct Arguments {
   std::string html;    ///< check: file for the model's page; empty: none
   bool anew = false;   ///< reduce: makes all anew
   std::optional<double> checkpoint_every;  ///< run: wall time between checkpoints [s]
+  std::optional<double> statistics_from;   ///< run: first row of the statistics [s]
   std::optional<IntegrationMethod> integrator;
   SimulationOptions options;
   std::string instructions = "auto";  ///< "auto", "avx2" or "baseline"
@@ -32,6 +34,7 @@ struct Arguments {
   int verbosity = 0;          ///< number of -v
   TraceArguments trace;
   SteadyArguments steady;
+  PerformanceArguments performance;
   std::string trace_out;  ///< run: folder for a trace; empty: none
 };
 

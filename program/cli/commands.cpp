@@ -43,11 +43,25 @@ void add_checkpoints(CLI::App& run, Arguments& arguments) {
            "FILE");
 }
 
+void add_statistics(CLI::App& run, Arguments& arguments) {
+  run.add_option_function<std::string>(
+         "--statistics-from",
+         [&](const std::string& text) {
+           arguments.statistics_from =
+               parse_number("--statistics-from", text, 0.0, std::numeric_limits<double>::max(),
+                            "a number of 0 or more [s]");
+         },
+         "Collect the statistics in summary.json from this time on, of any\n"
+         "model [of models in air: from 0]")
+      ->type_name("SECONDS");
+}
+
 void add_run(CLI::App& run, Arguments& arguments) {
   add_common(run, arguments);
   add_out(run, arguments, "results/<name of the scenario>");
   add_running(run, arguments);
   add_checkpoints(run, arguments);
+  add_statistics(run, arguments);
   run.add_flag_callback(
       "--no-report", [&] { arguments.writes_report = false; }, "Do not write report.html");
   run.add_flag("--vtk", arguments.writes_vtk,
@@ -108,12 +122,26 @@ void add_critical(CLI::App& command, Arguments& arguments) {
   command.footer(std::string(kCriticalText) + '\n' + kStatusText);
 }
 
+void add_performance(CLI::App& command, Arguments& arguments) {
+  add_common(command, arguments);
+  add_out(command, arguments, "results/<name of the scenario>/performance");
+  add_performance_options(command, arguments.performance);
+  command.footer(std::string(kPerformanceText) + '\n' + kStatusText);
+}
+
 void add_linearize(CLI::App& command, Arguments& arguments) {
   add_common(command, arguments);
   add_out(command, arguments, "results/<name of the scenario>/linear");
   add_speed(command, arguments.steady);
   add_constant_frame(command, arguments.steady);
   command.footer(std::string(kLinearizeText) + '\n' + kStatusText);
+}
+
+void add_wind(CLI::App& command, Arguments& arguments) {
+  add_common(command, arguments);
+  add_path(command, "--out", arguments.out, "File to write (default: <name of the scenario>.bts)",
+           "FILE");
+  command.footer(std::string(kWindText) + '\n' + kStatusText);
 }
 
 void add_trace(CLI::App& trace, Arguments& arguments) {
@@ -171,10 +199,18 @@ std::vector<Command> make_commands() {
        .summary = "Find the speed or load at which an equilibrium becomes unstable",
        .add_options = add_critical,
        .execute = find_critical},
+      {.name = "performance",
+       .summary = "Find thrust and power of a rotor over wind, tip-speed ratio and pitch",
+       .add_options = add_performance,
+       .execute = find_performance},
       {.name = "linearize",
        .summary = "Write the state-space matrices of small motions about an equilibrium",
        .add_options = add_linearize,
        .execute = linearize},
+      {.name = "wind",
+       .summary = "Write a scenario's turbulent wind as a file of TurbSim",
+       .add_options = add_wind,
+       .execute = write_wind},
       {.name = "study", .summary = kStudySummary},
       {.name = "import", .summary = kImportSummary},
       {.name = "export", .summary = kExportSummary},

@@ -35,6 +35,13 @@ int find_campbell(const Arguments& arguments);
 /// stops decaying, prints it and writes its files. Throws InputError and DivergenceError.
 int find_critical(const Arguments& arguments);
 
+/// Finds steady states of a scenario's rotor in wind, prints them and writes their files. Throws
+/// InputError.
+int find_performance(const Arguments& arguments);
+
+/// Writes the wind of a scenario with turbulence as a file of TurbSim. Throws InputError.
+int write_wind(const Arguments& arguments);
+
 /// Linearises a scenario's model, prints its size and writes its matrices. Throws InputError and
 /// DivergenceError.
 int linearize(const Arguments& arguments);

@@ -34,7 +34,8 @@ const char* const kRunText = R"(Output files, in the folder of --out:
   sensors.csv   a row per output time: t, tip displacements, hub motion and torque, energies,
                 root loads, and what the scenario's [[sensor]] tables ask for
   summary.json  all values in force, machine, steps, wall time, hash of the final state, and
-                the extremes of every sensor over all steps
+                the extremes of every sensor over all steps; of models in air statistics:
+                means, deviations, and damage-equivalent ranges of root moments
   report.html   a page to look at: plots over time, the rotor moving, all numbers; needs no network
   vtk/          with --vtk: blades.pvd for ParaView and a file for each output time, two with
                 solids
@@ -83,12 +84,13 @@ Examples:
 const char* const kStaticText =
     R"(Newton's method with a line search, and load steps where it needs them. Loads, motors and prescribed
 joints have the values that their curves end with, pitch by the azimuth its mean. Where the hub turns,
-gravity and loads of constant direction count with their part along the axis.
+gravity, wind and loads of constant direction count with their part along the axis.
 
 Output files, in the folder of --out:
   static.html         the model in equilibrium, deflections, tips, joints, wrench of the hub
   static.json         everything
   section_forces.csv  forces and moments along the blades
+  section_air.csv     flow and forces of the air along the blades, if there is air
 
 Example:
   spoke static models/articulated_rotor.toml --speed 36
@@ -142,6 +144,23 @@ Examples:
   spoke critical column.toml --of load=push --from 0 --to 3
 )";
 
+const char* const kPerformanceText =
+    R"(Steady states of the rotor in uniform wind along its axis. Over wind speeds, where the drive is a torque
+by speed the rotor turns as fast as the air drives it; from the set point of [control.pitch] on, pitch
+holds that. Else it turns with the speed of the drive. Over tip-speed ratios and pitch: a map of C_P and
+C_T at one wind speed. Blades deform unless --rigid is given; the support is rigid. See
+docs/aerodynamics.md.
+
+Output files, in the folder of --out:
+  performance.html  the curves
+  performance.csv   a row per operating point
+  performance.json  the same
+
+Examples:
+  spoke performance models/nrel_5mw_in_wind.toml --wind 3:25:1
+  spoke performance models/nrel_5mw_in_wind.toml --tip-speed-ratio 2:14:0.5 --pitch -10:10:2 --rigid
+)";
+
 const char* const kLinearizeText =
     R"(Small motions x about the equilibrium of spoke static, in the frame that turns with the hub:
 x' = A x + B u, y = C x + D u; u: factors of loads, motors, the drive's torque; y: tips, joints and
@@ -157,6 +176,16 @@ Output files, in the folder of --out:
 Examples:
   spoke linearize models/articulated_rotor.toml --speed 40
   spoke linearize models/nrel_5mw_turbine.toml --speed 1.2
+)";
+
+const char* const kWindText =
+    R"(Generates the turbulence of [wind.turbulence], adds the mean wind with its profile, and writes both as a
+full-field file of TurbSim, periodic (identifier 8): for other programs, or for `file` of [wind]. A gust
+is left out. Velocities are rounded to a 65535th of their range. See docs/wind.md.
+
+Examples:
+  spoke wind models/nrel_5mw_in_wind.toml --out wind.bts
+  spoke wind models/nrel_5mw_in_wind.toml --set wind.turbulence.seed=2 --out wind_2.bts
 )";
 
 const char* const kTraceText =
@@ -182,6 +211,7 @@ const char* const kProgramText = R"(Examples:
   spoke modes models/nrel_5mw_rotor.toml
   spoke campbell models/nrel_5mw_rotor.toml --speeds 0:2:0.1
   spoke critical models/nrel_5mw_rotor.toml --of speed --from 0 --to 4
+  spoke performance models/nrel_5mw_in_wind.toml --wind 3:25:1
   spoke import blade_BeamDyn.dat --out blade.toml
   spoke export beamdyn models/nrel_5mw_rotor.toml --out nrel_5mw_BeamDyn.dat
   spoke fmu models/wu_haug_rotor.toml --out rotor.fmu

@@ -16,7 +16,9 @@ extern const char* const kStaticText;
 extern const char* const kModesText;
 extern const char* const kCampbellText;
 extern const char* const kCriticalText;
+extern const char* const kPerformanceText;
 extern const char* const kLinearizeText;
+extern const char* const kWindText;
 extern const char* const kTraceText;
 extern const char* const kProgramText;
 

@@ -205,6 +205,18 @@ void print_sizes(const std::vector<Tree>& trees) {
                           (have_further ? " and the modes up to a frequency" : ""));
 }
 
+/// Returns what a pitch controller does: "joint pitch, hub to 1.2671 rad/s, ...".
+std::string describe(const PitchControl& control) {
+  std::string text = control.joints.size() > 1 ? "joints" : "joint";
+  for (std::size_t i = 0; i < control.joints.size(); ++i)
+    text += (i > 0 ? ", " : " ") + control.joints[i];
+  text += fmt::format("{}, hub to {} rad/s, {} to {} rad", control.sign < 0.0 ? " reversed" : "",
+                      number(control.speed), number(control.minimum), number(control.maximum));
+  if (control.rate) text += fmt::format(", at most {} rad/s", number(*control.rate));
+  return text + (control.period ? fmt::format(", every {} s", number(*control.period))
+                                : std::string(", every step"));
+}
+
 }  // namespace
 
 void print_space(const spatial::Model& model) {
@@ -232,6 +244,7 @@ void print_space(const spatial::Model& model) {
   if (has_support) trees.pop_back();
   print_lines(has_support ? "rotor" : "all",
               describe(calc_mass_properties(model.hub, trees), "the hub's origin"));
+  if (model.pitch_control) print_line("pitch", describe(*model.pitch_control));
 }
 
 }  // namespace spoke::cli

@@ -158,7 +158,9 @@ int execute(const Command& command, const Arguments& arguments, char** argv) {
   try {
     return command.execute(arguments);
   } catch (const InputError& error) {
-    const bool is_placed = error.place().key.empty() || !error.place().file.empty();
+    // An error in an override begins with it, and is in no file.
+    const bool is_placed = error.place().key.empty() || !error.place().file.empty() ||
+                           std::string_view(error.what()).starts_with("--set ");
     if (is_placed || arguments.scenario.empty()) throw;
     throw place_in_file(error, arguments.scenario, arguments.overrides);
   }

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "engine/results.h"
+#include "engine/run_statistics.h"
 #include "engine/vtk/vtk_series.h"
 #include "models/count_text.h"
 #include "models/error.h"
@@ -63,27 +64,36 @@ void remove_stale(const fs::path& folder, const Arguments& arguments) {
 struct Recording {
   Recording(const Simulation& simulation, const Arguments& arguments, const fs::path& folder)
       : statistics(simulation.sensor_names().size()),
+        rows(simulation, arguments.statistics_from),
         tips(simulation),
         due(simulation.scenario().output.interval),
         file(folder / "sensors.csv", column_heads(simulation)) {
     open_pictures(simulation, arguments, folder);
   }
-  /// Goes on where `before` ended, with its rows in `rows`.
+  /// Goes on where `before` ended, with its rows in `rows_before`.
   Recording(const Simulation& simulation, const Arguments& arguments, const fs::path& folder,
-            const RunRecord& before, const fs::path& rows)
+            const RunRecord& before, const fs::path& rows_before)
       : statistics(before.ranges, simulation.time()),
+        rows(simulation, arguments.statistics_from),
         tips(simulation, before.tips),
         due(before.output_interval, before.next_multiple),
-        file(folder / "sensors.csv", before.rows, rows),
+        file(folder / "sensors.csv", before.rows, rows_before),
         wall_time_before(before.wall_time),
         last_row(before.last_row) {
     open_pictures(simulation, arguments, folder);
-    if (report)
+    if (report || !rows.series().empty())
       read_rows(folder / "sensors.csv",
-                [this](double t, std::span<const double> values) { report->add_row(t, values); });
+                [this](double t, std::span<const double> values) { add_row(t, values); });
+  }
+
+  /// Adds a row to all that is made of rows.
+  void add_row(double t, std::span<const double> values) {
+    rows.add_row(t, values);
+    if (report) report->add_row(t, values);
   }
 
   SensorStatistics statistics;
+  RunStatistics rows;
   run_report::TipDeflections tips;
   OutputTimes due;
   SensorFile file;
@@ -105,7 +115,7 @@ struct Recording {
 void write_row(Recording& recording, double t, std::span<const double> values) {
   const auto start = Clock::now();
   recording.file.write_row(t, values);
-  if (recording.report) recording.report->add_row(t, values);
+  recording.add_row(t, values);
   recording.last_row = t;
   recording.writing_time += seconds_since(start);
 }
@@ -288,7 +298,8 @@ void print_result(const Simulation& simulation, const Recording& recording,
 std::string write_results(const Simulation& simulation, const Recording& recording,
                           const RunOutcome& outcome, const fs::path& folder) {
   std::string written = (folder / "sensors.csv").string() + ", summary.json";
-  write_file(folder / "summary.json", make_summary(simulation, recording.statistics, outcome));
+  write_file(folder / "summary.json",
+             make_summary(simulation, recording.statistics, outcome, recording.rows));
   if (recording.report) {
     write_file(folder / "report.html",
                run_report::make_html(simulation, recording.statistics, outcome,

@@ -3,6 +3,7 @@
 #include "program/cli/commands.h"
 #include "program/cli/report.h"
 #include "program/cli/steady_task.h"
+#include "program/steady_report/static_air.h"
 #include "program/steady_report/static_files.h"
 
 namespace spoke::cli {
@@ -16,7 +17,8 @@ void print(const EquilibriumResult& result, const SteadyTask& task) {
   if (!joints.rows.empty()) print_table(joints);
   const report::Table loops = steady_report::make_loop_table(result);
   if (!loops.rows.empty()) print_table(loops);
-  print_line("written", task.path("static.html") + ", static.json, section_forces.csv");
+  print_line("written", task.path("static.html") + ", static.json, section_forces.csv" +
+                            (result.air ? ", section_air.csv" : ""));
 }
 
 }  // namespace
@@ -26,9 +28,12 @@ int find_static(const Arguments& arguments) {
   const EquilibriumResult result = task.solve([&](const Scenario& scenario) {
     return solve_equilibrium(scenario, {arguments.steady.speed});
   });
-  task.write({{"static.json", steady_report::make_json(result)},
-              {"section_forces.csv", steady_report::make_section_csv(result)},
-              {"static.html", steady_report::make_html(result, task.scenario(), task.title())}});
+  std::vector<SteadyTask::File> files = {
+      {"static.json", steady_report::make_json(result)},
+      {"section_forces.csv", steady_report::make_section_csv(result)},
+      {"static.html", steady_report::make_html(result, task.scenario(), task.title())}};
+  if (result.air) files.push_back({"section_air.csv", steady_report::make_air_csv(result)});
+  task.write(files);
   print(result, task);
   SteadyTask::warn(result);
   return 0;

@@ -11,7 +11,8 @@ class SteadyStates {
     this.states = data.states.map((state) => ({
       ...state,
       value: state.value ?? state.speed, // what states differ by
-      groups: this.decodeGroups(decode(state.groups, Float32Array), state.hub),
+      groups: this.decodeGroups(decode(state.groups, Float32Array)),
+      place: state.hub ? poseBetween(state.hub, 0, 0, 0) : { p: [0, 0, 0], R: kUnit },
       displacements: decode(state.displacements, Float32Array),
       rotations: decode(state.rotations, Float32Array),
       solids: state.solids.map((numbers) => decode(numbers, Float32Array)),
@@ -23,12 +24,17 @@ class SteadyStates {
     }));
     this.bounds = this.findBounds();
   }
-  /** Poses of groups. A model on a support is drawn in the frame that this stands in, others in that of the
-   *  hub, whose group is the first. */
-  decodeGroups(numbers, hub) {
-    const first = hub ? poseBetween(hub, 0, 0, 0) : { p: [0, 0, 0], R: kUnit };
+  /** Poses of groups: of a rotor in the frame of its hub, whose group is the first, of a support in that in
+   *  which it stands. */
+  decodeGroups(numbers) {
     return Array.from({ length: this.scene.groups }, (_, g) =>
-      g === 0 ? first : poseBetween(numbers, 7 * (g - 1), 7 * (g - 1), 0));
+      g === 0 ? { p: [0, 0, 0], R: kUnit } : poseBetween(numbers, 7 * (g - 1), 7 * (g - 1), 0));
+  }
+  /** The same where the hub is at `place`: a model on a support is drawn in the frame that this stands in, others
+   *  in that of the hub. */
+  placeGroups(groups, { p, R }) {
+    const rotor = this.scene.base?.group ?? 0;
+    return groups.map((own, g) => (g >= rotor ? own : { p: add(p, turn(R, own.p)), R: product(R, own.R) }));
   }
   /** Of where the model stands at the first and at the last speed. */
   findBounds() {
@@ -38,7 +44,8 @@ class SteadyStates {
 
   /** Where the model stands at speed `k`. */
   at(k) {
-    const { groups, displacements, rotations, solids } = this.states[k];
+    const { place, displacements, rotations, solids } = this.states[k];
+    const groups = this.placeGroups(this.states[k].groups, place);
     return { hub: { p: [0, 0, 0], R: kUnit }, groups, displacements, rotations, solids: this.scene.solidsOf(solids) };
   }
   /** That, moved along a mode: by `amplitude` times the real part of shape times exp(i phase). */
@@ -59,8 +66,9 @@ class SteadyStates {
     const solids = this.scene.solidsOf(mode.solids.map((motion, m) => this.moveSolid(this.states[k].solids[m], motion, c, s)));
     const moved = { ...still, displacements, rotations, solids };
     if (!this.scene.base) return { ...moved, hub: motion };
-    const [{ p, R }, ...groups] = still.groups;
-    return { ...moved, groups: [{ p: add(p, turn(R, motion.p)), R: product(R, motion.R) }, ...groups] };
+    const { place: { p, R }, groups } = this.states[k];
+    const place = { p: add(p, turn(R, motion.p)), R: product(R, motion.R) };
+    return { ...moved, groups: this.placeGroups(groups, place) };
   }
   /** Numbers of a solid, moved by its motion: real parts of all, then imaginary ones, those of stresses left out. */
   moveSolid(still, { unit, shares }, c, s) {

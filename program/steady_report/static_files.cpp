@@ -18,6 +18,7 @@
 #include "program/report/chart.h"
 #include "program/report/scene_markup.h"
 #include "program/report/static_script.h"
+#include "program/steady_report/static_air.h"
 #include "program/steady_report/steady_scene.h"
 
 namespace spoke::steady_report {
@@ -114,15 +115,17 @@ Json blade_json(const BladeEquilibrium& blade) {
     if (loop.tension) load.set("tension_N", *loop.tension);
     loops.push_back(std::move(load));
   }
-  return {{"name", blade.name},
-          {"tip_displacement_m", vector_json(blade.tip_displacement)},
-          {"tip_rotation_rad", vector_json(blade.tip_rotation)},
-          {"joints", joints},
-          {"section_forces", loads},
-          {"loops", loops},
-          {"bending", blade.bending},
-          {"nodes_m", nodes_json(blade.nodes)},
-          {"undeformed_nodes_m", nodes_json(blade.undeformed)}};
+  Json json = {{"name", blade.name},
+               {"tip_displacement_m", vector_json(blade.tip_displacement)},
+               {"tip_rotation_rad", vector_json(blade.tip_rotation)},
+               {"joints", joints},
+               {"section_forces", loads},
+               {"loops", loops},
+               {"bending", blade.bending},
+               {"nodes_m", nodes_json(blade.nodes)},
+               {"undeformed_nodes_m", nodes_json(blade.undeformed)}};
+  if (!blade.air.empty()) json.set("air", section_air_json(blade));
+  return json;
 }
 
 /// The component of a node's deflection that a line shows.
@@ -231,6 +234,9 @@ std::vector<report::Fact> make_facts(const EquilibriumResult& result) {
                                "{:.1e}",
                                result.iterations, result.load_steps,
                                result.load_steps == 1 ? "" : "s", result.last_change)}};
+  if (result.air)
+    for (report::Fact& fact : make_air_facts(result))
+      facts.insert(facts.end() - 2, std::move(fact));
   if (!result.hub) return facts;
   const double size = result.hub->position.norm();
   facts.insert(facts.begin() + 1,
@@ -252,6 +258,7 @@ std::string make_json(const EquilibriumResult& result) {
                {"last_change", result.last_change},
                {"warnings", warnings},
                {"blades", blades}};
+  if (result.air) json.set("air", air_json(result));
   if (result.hub)
     json.set("hub", {{"position_m", vector_json(result.hub->position)},
                      {"rotation_rad", vector_json(rotation_of(*result.hub))}});
@@ -281,6 +288,7 @@ std::string make_html(const EquilibriumResult& result, const Scenario& scenario,
   page.add_facts(make_facts(result));
   add_chart(result, Direction::flap, "Deflection along the axis of rotation", page);
   add_chart(result, Direction::lag, "Deflection in the plane of rotation", page);
+  if (result.air) add_air_charts(result, page);
   page.add_table(make_tip_table(result));
   if (const report::Table joints = make_joint_table(result); !joints.rows.empty())
     page.add_table(joints);

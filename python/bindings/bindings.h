@@ -30,5 +30,7 @@ void bind_modes(pybind11::module_& module);
 void bind_campbell(pybind11::module_& module);
 /// Binds searches for critical values.
 void bind_critical(pybind11::module_& module);
+/// Binds the performance of rotors in wind.
+void bind_performance(pybind11::module_& module);
 
 }  // namespace spoke::python

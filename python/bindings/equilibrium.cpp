@@ -31,6 +31,24 @@ std::string vector_text(const Eigen::Vector3d& v) {
   return py::str("[{:.6g}, {:.6g}, {:.6g}]").format(v.x(), v.y(), v.z());
 }
 
+/// Returns what air does to the sections of a blade, by station; None: no air acts.
+py::object air_of(const BladeEquilibrium& blade) {
+  if (blade.air.empty()) return py::none();
+  const auto by_station = [&](double SectionAir::*member) {
+    return array_of<double>(blade.air, [member](const SectionAir& s) { return s.*member; });
+  };
+  return py::dict(
+      "station"_a = by_station(&SectionAir::station), "attack"_a = by_station(&SectionAir::attack),
+      "relative_speed"_a = by_station(&SectionAir::relative_speed),
+      "axial_induction"_a = by_station(&SectionAir::axial_induction),
+      "tangential_induction"_a = by_station(&SectionAir::tangential_induction),
+      "lift"_a = by_station(&SectionAir::lift), "drag"_a = by_station(&SectionAir::drag),
+      "moment"_a = by_station(&SectionAir::moment),
+      "axial_force"_a = by_station(&SectionAir::axial_force),
+      "tangential_force"_a = by_station(&SectionAir::tangential_force),
+      "pitching_moment"_a = by_station(&SectionAir::pitching_moment));
+}
+
 std::string describe(const EquilibriumResult& result) {
   std::string text = "<spoke.Equilibrium at " + six_digits(result.speed) + " rad/s, " +
                      counted_text(result.blades.size(), "subsystem");
@@ -78,6 +96,14 @@ void bind_equilibrium(py::module_& module) {
         return "<spoke.LoopLoad " + load.name + ", force " + vector_text(load.force) +
                " N, moment " + vector_text(load.moment) + " N m>";
       });
+  py::class_<RotorAir>(module, "RotorAir", "What air does to a rotor in equilibrium; hub frame.")
+      .def_readonly("wind", &RotorAir::wind, "Speed along the axis, against the hub [m/s].")
+      .def_readonly("thrust", &RotorAir::thrust, "Along the axis [N].")
+      .def_readonly("torque", &RotorAir::torque, "About the axis [N m].")
+      .def("__repr__", [](const RotorAir& air) {
+        return "<spoke.RotorAir wind " + six_digits(air.wind) + " m/s, thrust " +
+               six_digits(air.thrust) + " N, torque " + six_digits(air.torque) + " N m>";
+      });
   py::class_<BladeEquilibrium>(module, "BladeEquilibrium",
                                "A blade, or another subsystem, in equilibrium; hub frame.")
       .def_readonly("name", &BladeEquilibrium::name)
@@ -95,6 +121,12 @@ void bind_equilibrium(py::module_& module) {
       .def_property_readonly(
           "undeformed", [](const BladeEquilibrium& blade) { return rows_of(blade.undeformed); },
           "(nodes, 3): of the same nodes [m]")
+      .def_property_readonly(
+          "air", &air_of,
+          "By station what air does to the sections, arrays (stations,): station [m], attack "
+          "[rad], relative_speed [m/s], axial_induction, tangential_induction, the coefficients "
+          "lift, drag and moment, axial_force and tangential_force [N/m], pitching_moment [N m/m]; "
+          "None where no air acts.")
       .def("__repr__", [](const BladeEquilibrium& blade) {
         return "<spoke.BladeEquilibrium " + blade.name + ", tip displacement " +
                vector_text(blade.tip_displacement) + " m>";
@@ -109,6 +141,9 @@ void bind_equilibrium(py::module_& module) {
                              "(3,) of support and drive on the hub, hub frame [N]")
       .def_property_readonly("hub_moment", get(&EquilibriumResult::hub_moment),
                              "(3,) likewise, about the hub's origin [N m]")
+      .def_property_readonly("air", get(&EquilibriumResult::air),
+                             "What air does to the rotor: wind [m/s], thrust [N] and torque [N m]; "
+                             "None where no air acts.")
       .def_property_readonly("iterations", get(&EquilibriumResult::iterations),
                              "Of Newton's method, over all blades.")
       .def_property_readonly("load_steps", get(&EquilibriumResult::load_steps),

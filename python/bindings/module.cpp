@@ -17,4 +17,5 @@ PYBIND11_MODULE(_spoke, module) {
   spoke::python::bind_modes(module);
   spoke::python::bind_campbell(module);
   spoke::python::bind_critical(module);
+  spoke::python::bind_performance(module);
 }

@@ -58,10 +58,12 @@ class SignalWatch {
   std::optional<py::error_already_set> raised_;
 };
 
-Recording::Recording(std::shared_ptr<UsedSimulation> simulation, double every, bool has_page)
+Recording::Recording(std::shared_ptr<UsedSimulation> simulation, double every, bool has_page,
+                     std::optional<double> statistics_from)
     : simulation_(std::move(simulation)),
       due_(every),
       statistics_(simulation_->sensor_names().size()),
+      row_statistics_(*simulation_, statistics_from),
       tips_(*simulation_) {
   if (has_page) recorder_.emplace(*simulation_);
 }
@@ -69,6 +71,7 @@ Recording::Recording(std::shared_ptr<UsedSimulation> simulation, double every, b
 void Recording::add_row(double t, std::span<const double> sensors) {
   numbers_.push_back(t);
   numbers_.insert(numbers_.end(), sensors.begin(), sensors.end());
+  row_statistics_.add_row(t, sensors);
   if (recorder_) recorder_->add_row(t, sensors);
 }
 
@@ -163,7 +166,8 @@ std::string Recording::at_last_step(Make&& make) {
 }
 
 std::string Recording::make_summary() {
-  return at_last_step([&] { return spoke::make_summary(*simulation_, statistics_, outcome_); });
+  return at_last_step(
+      [&] { return spoke::make_summary(*simulation_, statistics_, outcome_, row_statistics_); });
 }
 
 std::string Recording::make_page() {
@@ -176,7 +180,7 @@ std::string Recording::make_page() {
 
 void bind_recording(py::module_& module) {
   py::class_<Recording>(module, "Recording", "The sensors of a run at its output times.")
-      .def(py::init<std::shared_ptr<UsedSimulation>, double, bool>())
+      .def(py::init<std::shared_ptr<UsedSimulation>, double, bool, std::optional<double>>())
       .def("run", &Recording::run)
       .def_property_readonly(
           "numbers",

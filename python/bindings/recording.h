@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/results.h"
+#include "engine/run_statistics.h"
 #include "program/run_report/picture_steps.h"
 #include "program/run_report/recorder.h"
 #include "program/run_report/tip_deflections.h"
@@ -22,8 +23,10 @@ class SignalWatch;
 class Recording {
  public:
   /// Prepares a run from the simulation's present state on, with a row every `every` [s]; 0: every
-  /// step. `has_page`: whether make_page() will be called. Throws InputError unless every >= 0.
-  Recording(std::shared_ptr<UsedSimulation> simulation, double every, bool has_page);
+  /// step. `has_page`: whether make_page() will be called. `statistics_from`: see RunStatistics.
+  /// Throws InputError unless both times are 0 or more.
+  Recording(std::shared_ptr<UsedSimulation> simulation, double every, bool has_page,
+            std::optional<double> statistics_from);
 
   /// Steps to time `until` [s]; the present state and the last step are rows, too. Throws like
   /// Simulation::run_until(), and at the end of a step what Python raises for a signal; earlier
@@ -64,6 +67,7 @@ class Recording {
   OutputTimes due_;
   std::vector<double> numbers_;
   SensorStatistics statistics_;
+  RunStatistics row_statistics_;
   run_report::TipDeflections tips_;
   std::optional<run_report::Recorder> recorder_;  ///< data of the page
   RunOutcome outcome_;

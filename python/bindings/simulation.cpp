@@ -7,14 +7,19 @@
 #include <pybind11/stl.h>
 
 #include <array>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "engine/checkpoint.h"
 #include "models/error.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/queries.h"
 #include "python/bindings/used_simulation.h"
+#include "python/bindings/wind.h"
 
 namespace spoke::python {
 namespace {
@@ -23,19 +28,30 @@ namespace py = pybind11;
 using namespace py::literals;
 using Class = py::class_<UsedSimulation, std::shared_ptr<UsedSimulation>>;
 
+/// Returns the scenario, with a wind of the program's own in place of its own if one is given.
+Scenario in_wind(Scenario scenario, std::optional<py::function> wind) {
+  if (!wind) return scenario;
+  if (!scenario.space || !scenario.space->air)
+    throw InputError("wind: the model is in no air, expected one with [air]", {.key = "wind"});
+  scenario.space->air->wind = Wind{.by_program = true, .field = make_python_wind(std::move(*wind))};
+  return scenario;
+}
+
 std::shared_ptr<UsedSimulation> make_simulation(const Scenario& scenario,
                                                 const std::string& formulation,
                                                 const std::string& executor,
                                                 std::pair<int, int> threads, int window,
-                                                const std::vector<std::shared_ptr<Load>>& loads) {
+                                                const std::vector<std::shared_ptr<Load>>& loads,
+                                                std::optional<py::function> wind) {
   SimulationOptions options;
   options.formulation = formulation_of(formulation);
   options.executor = graph::executor_kind(executor);
   options.threads = {threads.first, threads.second};
   options.window = window;
   const Loads all(loads.begin(), loads.end());
-  const py::gil_scoped_release unlocked;  // since loads in Python are evaluated
-  return std::make_shared<UsedSimulation>(scenario, options, all);
+  const Scenario blown = in_wind(scenario, std::move(wind));
+  const py::gil_scoped_release unlocked;  // since loads and winds in Python are evaluated
+  return std::make_shared<UsedSimulation>(blown, options, all);
 }
 
 void bind_saved_state(py::module_& module) {
@@ -144,7 +160,7 @@ void bind_simulation(py::module_& module) {
   bind_anchor_motion(module);
   Class simulation(module, "Simulation");
   simulation.def(py::init(&make_simulation), "scenario"_a, "formulation"_a, "executor"_a,
-                 "threads"_a, "window"_a, "loads"_a);
+                 "threads"_a, "window"_a, "loads"_a, "wind"_a);
   bind_progress(simulation);
   bind_steps(simulation);
   bind_anchors(simulation);

@@ -41,6 +41,8 @@ from ._spoke import (
     MarkerState,
     Mode,
     Modes,
+    Performance,
+    RotorAir,
     SavedState,
     Scenario,
     SectionLoad,
@@ -56,18 +58,18 @@ from ._spoke import (
     __version__,
     markers_at,
 )
-from ._steady import campbell, critical, equilibrium, modes
+from ._steady import campbell, critical, equilibrium, modes, performance
 
 __all__ = [
     "AnchorMotion", "BladeEquilibrium", "BladeShape", "BodyState", "Campbell", "ConstantSpeed",
     "Critical", "Curve", "DivergenceError", "Equilibrium", "Error", "FixedDrive", "FreeDrive", "HubMotion",
     "InputError", "InternalError", "JointPosition", "Load", "LoadError", "LoopLoad", "Marker",
     "MarkerMotion",
-    "MarkerMotions", "MarkerState", "Mode", "Modes", "Result", "SavedState", "Scenario",
+    "MarkerMotions", "MarkerState", "Mode", "Modes", "Performance", "Result", "RotorAir", "SavedState", "Scenario",
     "SectionLoad", "Simulation", "SolidReduction", "SpeedTable", "SpinUp", "SpinUpHoldSpinDown", "StateError",
     "TorqueBySpeed", "TorqueDrive", "Trace", "Wrench", "__version__", "campbell", "critical",
     "equilibrium",
-    "markers_at", "model", "modes", "read_scenario", "reduce",
+    "markers_at", "model", "modes", "performance", "read_scenario", "reduce",
 ]
 
 
@@ -78,7 +80,7 @@ def _finish():
     for name in __all__:
         if isinstance(globals()[name], type):
             globals()[name].__module__ = __name__
-    for shown in (Campbell, Critical, Equilibrium, Mode, Modes, Result, Scenario, Trace):
+    for shown in (Campbell, Critical, Equilibrium, Mode, Modes, Performance, Result, Scenario, Trace):
         shown._repr_html_ = frame
     Simulation._repr_html_ = lambda self: frame(self.scenario)
 

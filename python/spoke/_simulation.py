@@ -34,7 +34,7 @@ class Simulation(_Simulation):
     """Simulates one system. Different simulations may run in different Python threads."""
 
     def __init__(self, scenario, *, set=None, formulation="structured", executor="auto",
-                 threads=None, window=0, loads=()):
+                 threads=None, window=0, loads=(), wind=None):
         """Builds the model and its step graph, and evaluates the accelerations at t = 0.
 
         scenario: what read_scenario() takes.
@@ -45,26 +45,32 @@ class Simulation(_Simulation):
         threads: how many, or a pair (teams, threads of each); None: all that are available.
         window: most steps that one run of the executor makes; 0: as the executor chooses.
         loads: Loads that act besides those of the scenario.
+        wind: of a model in air, a function of place (3,) [m] and time [s] that returns the velocity
+            of the air there (3,) [m/s], all in the inertial frame, in place of the scenario's wind;
+            it must depend on its arguments alone. What it raises is shown as Python shows what
+            cannot be raised (sys.unraisablehook), and the step ends with DivergenceError.
 
         Raises InputError, LoadError if a load fails at t = 0, DivergenceError.
         """
         super().__init__(read_scenario(scenario, set), formulation, executor, _as_pair(threads),
-                         window, list(loads))
+                         window, list(loads), wind)
 
-    def run(self, until=math.inf, every=None, report=True):
+    def run(self, until=math.inf, every=None, report=True, statistics_from=None):
         """Steps to time `until` [s], by default to the scenario's end, and returns a Result.
 
         every: interval of the result's rows [s]; None: the scenario's; 0: every step. The present
             state and the last step are rows, too.
         report: whether to record the curves and pictures of Result.page(), which takes some 10 % of
             the run of a small rotor.
+        statistics_from: time [s] of the first row that counts in Result.summary()["statistics"];
+            None: all rows of a model in air, and no statistics of others.
 
         The interpreter lock is released meanwhile. Ctrl-C ends the run after a step, from which it
         can go on. Raises DivergenceError, after which a saved state has to be restored, and
         LoadError; their attribute `result` is the Result of the steps before.
         """
         every = self.scenario.output_interval if every is None else every
-        recording = Recording(self, every, report)
+        recording = Recording(self, every, report, statistics_from)
         try:
             recording.run(until)
         except (DivergenceError, LoadError) as error:

@@ -1,5 +1,7 @@
 """Steady motion, and vibrations about it."""
 
+import numpy as np
+
 from . import _spoke
 from ._simulation import read_scenario
 
@@ -64,3 +66,23 @@ def critical(scenario, of, start, end, *, set=None, speed=None, points=21, count
     """
     return _spoke._solve_critical(read_scenario(scenario, set), of, start, end, speed, points,
                                   count)
+
+
+def performance(scenario, *, wind=None, tip_speed_ratio=None, pitch=None, joint="pitch",
+                rigid=False, set=None):
+    """Finds the steady states of a rotor in uniform wind along its axis: its Performance.
+
+    scenario, set: as of read_scenario().
+    wind: speeds at the hub [m/s]; of a map one, None: the scenario's.
+    tip_speed_ratio: of a map, each with each pitch; None: the rotor finds its speed itself.
+    pitch: angles of the pitch joints [rad], of a map one or more; over wind speeds one, at which
+        pitch is held. None: those of [control.pitch], or joints as they stand.
+    joint: name of the joint that pitches a blade, where there is no [control.pitch].
+    rigid: whether blades stay undeformed.
+
+    One number counts as a list of one. Raises InputError if the scenario has no air, or if an
+    argument does not fit; where there is no steady state the result says why (Performance.gaps).
+    """
+    lists = [[] if values is None else np.atleast_1d(values).astype(float)
+             for values in (wind, tip_speed_ratio, pitch)]
+    return _spoke._solve_performance(read_scenario(scenario, set), *lists, joint, rigid)

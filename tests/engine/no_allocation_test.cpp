@@ -178,7 +178,8 @@ TEST_CASE("a step of a rotor on a support allocates nothing, whatever the formul
   for (const Formulation formulation : formulations())
     for (const char* method : {"generalized_alpha", "rk4"})
       for (const std::string& machine :
-           {kTurnedHub + kBooms + kHinges + kTower + strut, kFuselageHub + kBooms + kHinges}) {
+           {kTurnedHub + kBooms + kHinges + kTower + strut, kDrivenHub + kBooms + kAir,
+            kTurnedHub + kBooms + kControlledPitch + kTower, kFuselageHub + kBooms + kHinges}) {
         const Scenario scenario = parse_scenario(
             make_text(machine, "", kGravity) + "step = 1e-4\nmethod = \"" + method + "\"\n",
             "machine.toml");

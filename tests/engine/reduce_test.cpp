@@ -51,7 +51,7 @@ Scenario make_pair(const spatial::SolidBody& first, const spatial::SolidBody& se
   }
   scenario.integration.step = 1e-4;
   scenario.integration.duration = 1e-2;
-  spatial::read_meshes(model);
+  spatial::read_model_files(model);
   return scenario;
 }
 

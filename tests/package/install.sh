@@ -21,10 +21,10 @@ if found=$(grep -rlE "$work/first|$build" "$work/moved" --include='*.cmake' --in
   printf 'files that know where they were built or first installed:\n%s\n' "$found"
   exit 1
 fi
-# Scenarios find the meshes that they name.
+# Scenarios find the meshes and the aerofoils that they name.
 for scenario in "$work"/moved/share/spoke/models/*.toml; do
-  for mesh in $(sed -nE 's/^ *mesh *= *"([^"]+)".*/\1/p' "$scenario"); do
-    [ -s "$(dirname "$scenario")/$mesh" ] || { echo "$scenario names $mesh, which is not installed"; exit 1; }
+  for file in $(sed -nE 's/^ *(mesh|file) *= *"([^"]+)".*/\2/p' "$scenario"); do
+    [ -s "$(dirname "$scenario")/$file" ] || { echo "$scenario names $file, which is not installed"; exit 1; }
   done
 done
 # What the documents for users link to is installed with them.

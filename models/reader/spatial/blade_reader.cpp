@@ -4,6 +4,7 @@
 
 #include "models/reader/field_reader.h"
 #include "models/reader/loop_reader.h"
+#include "models/reader/spatial/air_reader.h"
 #include "models/reader/spatial/body_reader.h"
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/joint_reader.h"
@@ -55,6 +56,9 @@ Blade read_blade(const TomlSection& own, const TomlSection& common, double azimu
   blade.azimuth = azimuth;
   visit_fields(blade, read);
   blade.joints = read_joints(from.of("joint"));
+  if (const TomlSection& table = from.of("aerodynamics"); table.has("aerodynamics"))
+    blade.aerodynamics =
+        read_aerodynamics(table.section("aerodynamics", aerodynamics_keys()), beam.length);
   if (const Fault fault = find_fault(blade))
     from.of(fault.path.substr(0, fault.path.find('.'))).fail_at(fault.path, fault.text);
   blade.loops = read_loops(from.of("loop"), surroundings_of(blade, model));
@@ -65,7 +69,7 @@ Blade read_blade(const TomlSection& own, const TomlSection& common, double azimu
 
 std::vector<Blade> read_blades(const TomlSection& root, const Model& model) {
   TomlSection::Keys keys = beam_keys();
-  keys.insert(keys.end(), {"azimuth", "precone", "joint", "loop"});
+  keys.insert(keys.end(), {"azimuth", "precone", "joint", "loop", "aerodynamics"});
   TomlSection::Keys common_keys = keys;
   common_keys.push_back("count");
   const TomlSection common = root.section("blade", common_keys);

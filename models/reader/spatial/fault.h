@@ -93,6 +93,14 @@ Fault find_carried_fault(const Model& model);
 Fault find_fault(const PointLoad& load, const Model& model);
 Fault find_fault(const DistributedLoad& load, const Model& model);
 Fault find_fault(const HubLoad& load, const Model& model);
+/// Finds a fault of a blade's aerodynamics, its beam of this length; seen from its own table.
+Fault find_fault(const BladeAerodynamics& aerodynamics, double length);
+Fault find_fault(const Airfoil& airfoil);
+/// Finds a fault of the air around a model that is otherwise fine, seen from the scenario.
+Fault find_fault(const Air& air, const Model& model);
+
+/// Finds a fault of a controller of a model that is otherwise fine.
+Fault find_fault(const PitchControl& control, const Model& model);
 
 /// Returns what is wrong with the sizes of all blades and subsystems together; empty if nothing is.
 std::string find_size_fault(const Model& model);

@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "models/air/wind_kept.h"
 #include "models/reader/damping.h"
 #include "models/reader/loop_faults.h"
 #include "models/reader/spatial/fault.h"
@@ -53,9 +54,19 @@ Fault find_tree_fault(const Subsystem& subsystem, const Model& model,
   return find_fault(subsystem.loops, surroundings_of(subsystem, model));
 }
 
+void read_wind_file(Wind& wind) {
+  try {
+    air::keep_wind(wind);
+  } catch (const InputError& error) {
+    if (air::is_of_wind_file(error)) throw;
+    require(Fault{error.place().key, error.what()}.within("wind"));
+  }
+}
+
 }  // namespace
 
-void read_meshes(Model& model) {
+void read_model_files(Model& model) {
+  if (model.air) read_wind_file(model.air->wind);
   for (std::size_t i = 0; i < model.subsystems.size(); ++i)
     for (std::size_t j = 0; j < model.subsystems[i].bodies.size(); ++j) {
       auto* solid = std::get_if<SolidBody>(&model.subsystems[i].bodies[j].shape);
@@ -105,6 +116,8 @@ void check_model(const Model& model) {
   check_each("load", model.loads, of_load);
   check_each("distributed_load", model.distributed_loads, of_load);
   check_each("hub_load", model.hub_loads, of_load);
+  if (model.air) require(find_fault(*model.air, model));
+  if (model.pitch_control) require(find_fault(*model.pitch_control, model).within("control.pitch"));
 }
 
 }  // namespace spoke::spatial

@@ -8,6 +8,8 @@
 #include "models/reader/damping.h"
 #include "models/reader/drive_json.h"
 #include "models/reader/loop_json.h"
+#include "models/reader/spatial/air_json.h"
+#include "models/reader/spatial/control_json.h"
 #include "models/reader/spatial/course_json.h"
 #include "models/reader/spatial/field_writer.h"
 #include "models/reader/spatial/joint_json.h"
@@ -88,6 +90,7 @@ Json to_json(const Blade& blade, const Model& model) {
     json.append("joint", table);
   }
   add_loops(blade.loops, surroundings_of(blade, model), json);
+  if (blade.aerodynamics) json.set("aerodynamics", aerodynamics_to_json(*blade.aerodynamics));
   return json;
 }
 
@@ -212,6 +215,8 @@ void add_model(const Model& model, Json& json) {
   add_list("load", model.loads, json);
   add_list("distributed_load", model.distributed_loads, json);
   add_list("hub_load", model.hub_loads, json);
+  if (model.air) add_air(*model.air, json);
+  if (model.pitch_control) json.set("control", {{"pitch", control_to_json(*model.pitch_control)}});
 }
 
 }  // namespace spoke::spatial

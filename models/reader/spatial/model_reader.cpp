@@ -11,7 +11,9 @@
 #include "models/reader/loop_reader.h"
 #include "models/reader/scenario_loads.h"
 #include "models/reader/scenario_rotor.h"
+#include "models/reader/spatial/air_reader.h"
 #include "models/reader/spatial/body_reader.h"
+#include "models/reader/spatial/control_reader.h"
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/solid_reader.h"
 #include "models/reader/spatial/support_reader.h"
@@ -179,6 +181,8 @@ Model read_model(const TomlSection& root, const std::string& folder) {
   read_point_loads(root, model);
   read_distributed_loads(root, model);
   read_hub_loads(root, model);
+  model.air = read_air(root, folder, model);
+  model.pitch_control = read_pitch_control(root, model);
   return model;
 }
 

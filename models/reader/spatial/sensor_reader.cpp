@@ -35,6 +35,12 @@ Fault find_blade_fault(const Sensor& sensor, const Model& model) {
   const auto last = static_cast<int>(model.blades.size());
   if (is_of_blade(sensor.quantity) && last == 0)
     return {"", "is on blades, of which there are none; expected subsystem and body"};
+  if (is_of_air(sensor.quantity))
+    for (std::size_t i = 0; i < model.blades.size(); ++i)
+      if (sensor.blade.holds(i) && !(model.air && model.blades[i].aerodynamics))
+        return {"quantity", "is \"" + std::string(name_of(sensor.quantity)) +
+                                "\", but no air acts on blade " + std::to_string(i + 1) +
+                                ", expected [air] and its aerodynamics"};
   const int number = sensor.blade.number();
   if (sensor.blade.is_all() || (number >= 1 && number <= last)) return {};
   return {"blade", "is " + std::to_string(number) + ", expected a whole number from 1 to " +
@@ -43,7 +49,7 @@ Fault find_blade_fault(const Sensor& sensor, const Model& model) {
 
 /// Finds a fault in the subsystem and body that a sensor names.
 Fault find_body_fault(const Sensor& sensor, const Model& model) {
-  if (!is_of_blade(sensor.quantity))
+  if (!is_of_blade(sensor.quantity) || is_of_air(sensor.quantity))
     return {"subsystem", "does not belong to quantity \"" + std::string(name_of(sensor.quantity)) +
                              "\", expected none"};
   if (!sensor.blade.is_all()) return {"blade", "given along with subsystem, expected only one"};

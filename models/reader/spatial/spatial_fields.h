@@ -21,6 +21,24 @@ inline constexpr Quantity kVelocity = Quantity::any("m/s");
 inline constexpr Quantity kMoment = Quantity::any("N m");
 inline constexpr Quantity kMomentPerLength = Quantity::any("N");
 
+template <PerhapsConst<PitchControl> P, class Visit>
+void visit_fields(P& control, const Visit& visit) {
+  visit("speed", control.speed, kSpeed, Presence::required);
+  visit("proportional", control.proportional, Quantity::not_negative("s"), Presence::required);
+  visit("integral", control.integral, Quantity::not_negative("rad/rad"), Presence::required);
+  visit("minimum", control.minimum, kAngle, Presence::required);
+  visit("maximum", control.maximum, kAngle, Presence::required);
+}
+
+/// Visits the numbers that may be missing.
+template <PerhapsConst<PitchControl> P, class Visit>
+void visit_options(P& control, const Visit& visit) {
+  visit("half_gain_angle", control.half_gain_angle, Quantity::positive("rad"));
+  visit("rate", control.rate, Quantity::positive("rad/s"));
+  visit("filter", control.filter, Quantity::positive("rad/s"));
+  visit("period", control.period, Quantity::positive("s"));
+}
+
 /// The units of a coordinate of a joint.
 struct CoordinateUnits {
   std::string_view position, speed, effort, stiffness, damping;
@@ -227,6 +245,23 @@ void visit_fields(L& load, const Visit& visit) {
   visit("force", load.force, kForce, Presence::optional);
   visit("torque", load.torque, kMoment, Presence::optional);
   visit("ramp", load.ramp, kRamp, Presence::optional);
+}
+
+inline constexpr Quantity kReynolds = Quantity::not_negative("");
+inline constexpr Quantity kCoefficient = Quantity::any("");
+
+template <PerhapsConst<Air> A, class Visit>
+void visit_fields(A& air, const Visit& visit) {
+  visit("density", air.density, Quantity::positive("kg/m^3"), Presence::optional);
+  visit("viscosity", air.viscosity, Quantity::positive("m^2/s"), Presence::optional);
+}
+
+/// Visits the arrays of a blade's aerodynamics that hold a number for each station.
+template <PerhapsConst<BladeAerodynamics> A, class Visit>
+void visit_stations(A& aerodynamics, const Visit& visit) {
+  visit("chord", aerodynamics.chord, Quantity::not_negative("m"));
+  visit("twist", aerodynamics.twist, kAngle);
+  visit("center", aerodynamics.center, kLength);
 }
 
 }  // namespace spoke::spatial

@@ -48,6 +48,8 @@ std::vector<SupportedCase> supported_cases() {
            make_text(kTurnedHub, kBooms + kHinges + kTower, kGravity + kSupportedSensors)},
           {"driven on a tower with a strut",
            make_text(kDrivenHub, kBooms + kTower + kStrut, kRisingGravity + kSupportedSensors)},
+          {"controlled on a tower",
+           make_text(kTurnedHub, kBooms + kControlledPitch + kTower, kGravity)},
           {"fixed to a fuselage", make_text(kFuselageHub, kBooms + kHinges)}};
 }
 

@@ -176,6 +176,15 @@ Scenario make_tower(const std::string& hub) {
   return scenario;
 }
 
+/// Blades whose pitch is under control, beside other trees.
+Scenario make_controlled(const std::string& hub) {
+  Scenario scenario = test::make_scenario(
+      test::make_text(hub, test::kBooms + test::kControlledPitch + test::kMotors + test::kForest),
+      2e-3, 1.0, IntegrationMethod::generalized_alpha);
+  scenario.integration.duration = kSteps * scenario.integration.step;
+  return scenario;
+}
+
 struct Case {
   const char* name;
   Scenario scenario;
@@ -192,6 +201,8 @@ std::vector<Case> all_cases() {
           {"free in space", read("satellite_booms", {"blade.sections.flap_inertia=0.001",
                                                      "blade.sections.lag_inertia=0.001"})},
           {"forests on a hub that a torque turns", make_forests()},
+          {"controlled, driven", make_controlled(test::kDrivenHub)},
+          {"controlled, turned", make_controlled(test::kTurnedHub)},
           {"driven on a tower", make_tower(test::kDrivenHub)},
           {"turned on a tower", make_tower(test::kTurnedHub)}};
 }

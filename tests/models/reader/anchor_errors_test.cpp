@@ -130,8 +130,8 @@ TEST_CASE("sensors of closed loops that cannot be are refused") {
                 "expected the subsystem alone"},
                {kIntegration, with(arm + "loop = \"rod\"\nposition = 1"),
                 "f.toml:46:12: sensor.1.position: does not belong to quantity \"loop_reaction\", "
-                "expected only with quantity \"displacement\", \"velocity\", \"acceleration\" or "
-                "\"section_force\""},
+                "expected only with quantity \"displacement\", \"velocity\", \"acceleration\", "
+                "\"section_force\", \"air_flow\" or \"air_load\""},
                {kIntegration, with(arm + "loop = \"rod\"\nframe = \"section\""),
                 "f.toml:46:9: sensor.1.frame: is \"section\", expected \"loop\", \"blade\", "
                 "\"hub\" or \"inertial\""},

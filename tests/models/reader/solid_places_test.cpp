@@ -133,8 +133,8 @@ TEST_CASE("sensors on solids are checked") {
            "\"interface_force\""},
           {"quantity = \"displacement\"", "quantity = \"von_mises\"\nposition = 0.1",
            "f.toml:43:12: sensor.1.position: does not belong to quantity \"von_mises\", expected "
-           "only with quantity \"displacement\", \"velocity\", \"acceleration\" or "
-           "\"section_force\""},
+           "only with quantity \"displacement\", \"velocity\", \"acceleration\", "
+           "\"section_force\", \"air_flow\" or \"air_load\""},
           {"quantity = \"displacement\"", "quantity = \"joint_reaction\"\ninterface = \"tip\"",
            "f.toml:43:13: sensor.1.interface: does not belong to quantity \"joint_reaction\", "
            "expected only with quantity \"displacement\", \"velocity\", \"acceleration\", "
@@ -159,7 +159,8 @@ TEST_CASE("sensors on solids are checked") {
            "f.toml:42:12: sensor.1.quantity: is \"von_misses\", expected \"displacement\", "
            "\"velocity\", \"acceleration\", \"section_force\", \"joint_reaction\", "
            "\"hub_reaction\", \"momentum\", \"blade_momentum\", \"kinetic_energy\", "
-           "\"loop_reaction\", \"loop_opening\", \"interface_force\" or \"von_mises\""},
+           "\"loop_reaction\", \"loop_opening\", \"interface_force\", "
+           "\"von_mises\", \"air_flow\" or \"air_load\""},
       });
 }
 

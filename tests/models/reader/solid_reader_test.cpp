@@ -145,7 +145,7 @@ TEST_CASE("loads and sensors on copies of a subsystem are on each, or on one by 
 TEST_CASE("a solid that is made in code is checked as one of a file") {
   Model model = make_bar_model();
   check_model(model);
-  read_meshes(model);
+  read_model_files(model);
   auto& bar = std::get<SolidBody>(model.subsystems[0].bodies[0].shape);
   REQUIRE(bar.kept);
   CHECK(find_interface(bar, "") == 1);

@@ -44,7 +44,8 @@ TEST_CASE("what is of another world is refused") {
                   {"[[blade.joint]]\nname = \"flap\"", "[[blade.hinge]]\nname = \"flap\"",
                    "f.toml:21:9: blade.hinge: unknown key, expected \"length\", \"bodies\", "
                    "\"elements\", \"sections\", \"reference_frame\", \"geometric_stiffening\", "
-                   "\"point_mass\", \"azimuth\", \"precone\", \"joint\", \"loop\" or \"count\""},
+                   "\"point_mass\", \"azimuth\", \"precone\", \"joint\", \"loop\", "
+                   "\"aerodynamics\" or \"count\""},
               });
 }
 

@@ -45,7 +45,8 @@ TEST_CASE("sensors on blades in space that cannot be are refused") {
            "f.toml:34:12: sensor.1.quantity: is \"mass\", expected \"displacement\", \"velocity\", "
            "\"acceleration\", \"section_force\", \"joint_reaction\", \"hub_reaction\", "
            "\"momentum\", \"blade_momentum\", \"kinetic_energy\", \"loop_reaction\", "
-           "\"loop_opening\", \"interface_force\" or \"von_mises\""},
+           "\"loop_opening\", \"interface_force\", "
+           "\"von_mises\", \"air_flow\" or \"air_load\""},
           {at, with("quantity = \"section_force\""),
            "f.toml:33:1: sensor.1.position: is missing, expected a distance from the root (m)"},
           {at, with("quantity = \"velocity\"\nposition = 8.5"),

@@ -30,7 +30,7 @@ Scenario read(const std::string& text, const Overrides& overrides = {}) {
 }
 
 /// Returns the model of a text, after a check that what is written of it is read as the same.
-spatial::Model model_of(const std::string& text, const Overrides& overrides = {}) {
+spatial::Model parsed_model(const std::string& text, const Overrides& overrides = {}) {
   const Scenario scenario = read(text, overrides);
   const std::string json = scenario.to_json();
   CHECK(parse_scenario(document_of(json), "f").to_json() == json);
@@ -40,7 +40,7 @@ spatial::Model model_of(const std::string& text, const Overrides& overrides = {}
 }  // namespace
 
 TEST_CASE("a support is the last subsystem, and carries the axle") {
-  const spatial::Model model = model_of(kSupportText);
+  const spatial::Model model = parsed_model(kSupportText);
   REQUIRE(model.support.has_value());
   CHECK(model.support->from == spatial::SupportBase::ground);
   CHECK(model.support->axle.body == "nacelle");
@@ -63,19 +63,19 @@ TEST_CASE("subsystems on the hub stand before the support, wherever the file has
   const auto arm = kTreeText.find("[[subsystem]]");
   const std::string arms = kTreeText.substr(arm, kTreeText.find("[integration]") - arm);
   const spatial::Model model =
-      model_of(edited(kSupportText, "[integration]", arms + "[integration]"));
+      parsed_model(edited(kSupportText, "[integration]", arms + "[integration]"));
   REQUIRE(model.subsystems.size() == 2);
   CHECK(model.subsystems[0].name == "arm");
   CHECK(model.subsystems[1].name == "support");
   CHECK(key_of_subsystem(model, 0) == "subsystem.1");
   const spatial::Model suspended =
-      model_of(edited(kSuspensionText, "[integration]", arms + "[integration]"));
+      parsed_model(edited(kSuspensionText, "[integration]", arms + "[integration]"));
   REQUIRE(suspended.subsystems.size() == 2);
   CHECK(suspended.subsystems[1].name == "support");
 }
 
 TEST_CASE("a fuselage has its own motion, and carries the axle alone") {
-  const spatial::Model model = model_of(kFuselageText);
+  const spatial::Model model = parsed_model(kFuselageText);
   REQUIRE(model.support.has_value());
   CHECK(model.support->from == spatial::SupportBase::free);
   const spatial::Fuselage& fuselage = model.support->fuselage;
@@ -95,17 +95,17 @@ TEST_CASE("bodies on a fuselage have the parent fuselage, which may carry the ax
       "[[support.body]]\nname = \"boom\"\nkind = \"rigid\"\nmass = 5\ninertia = 1\n"
       "[[support.joint]]\nchild = \"boom\"\nkind = \"fixed\"\n[support.axle]\n";
   const spatial::Model on_boom =
-      model_of(edited(kFuselageText, "[support.axle]\n", boom + "body = \"boom\"\n"));
+      parsed_model(edited(kFuselageText, "[support.axle]\n", boom + "body = \"boom\"\n"));
   CHECK(on_boom.subsystems[0].joints[0].parent == "fuselage");
   CHECK(on_boom.support->axle.body == "boom");
   const spatial::Model beside =
-      model_of(edited(kFuselageText, "[support.axle]\n", boom + "body = \"fuselage\"\n"));
+      parsed_model(edited(kFuselageText, "[support.axle]\n", boom + "body = \"fuselage\"\n"));
   CHECK(beside.support->axle.body.empty());
 }
 
 TEST_CASE("an axle is at a station or a node of a beam, or at its tip") {
   const auto axle_at = [](const std::string& keys) {
-    return model_of(edited(kSupportText, "body = \"nacelle\"\n", "body = \"tower\"\n" + keys))
+    return parsed_model(edited(kSupportText, "body = \"nacelle\"\n", "body = \"tower\"\n" + keys))
         .support->axle.station;
   };
   CHECK_FALSE(axle_at("").has_value());
@@ -114,7 +114,7 @@ TEST_CASE("an axle is at a station or a node of a beam, or at its tip") {
 }
 
 TEST_CASE("a suspension is a support with a carrier on a bushing") {
-  const spatial::Model model = model_of(kSuspensionText);
+  const spatial::Model model = parsed_model(kSuspensionText);
   REQUIRE(model.support.has_value());
   CHECK(model.support->axle.body == "carrier");
   REQUIRE(model.subsystems.size() == 1);
@@ -147,7 +147,7 @@ TEST_CASE("bushings have six coordinates, of blades and of subsystems, too") {
       "kind = \"bushing\"\nstiffness = [0, 3e4, 4e4, 0, 5, 0]\ndamping = [0, 0, 7, 0, 0, 2]\n"
       "rest = [0, 0.01, 0, 0, 0, 0]\ninitial = [0, 0, 0.02, 0, 0.1, 0]\n"
       "initial_speed = [0, 0, 0, 0, 0, 1]\n";
-  const spatial::Model blades = model_of(
+  const spatial::Model blades = parsed_model(
       edited(kBladeText, "kind = \"revolute\"\naxis = [0, -1, 0]\ndamping = 10.0\n", keys));
   const spatial::Joint& joint = blades.blades.at(2).joints.at(0).joint;
   CHECK(joint.coordinates[0].motion.has_value());
@@ -157,20 +157,20 @@ TEST_CASE("bushings have six coordinates, of blades and of subsystems, too") {
   CHECK(joint.coordinates[4].initial == 0.1);
   CHECK(joint.coordinates[5].initial_speed == 1.0);
   const spatial::Model tree =
-      model_of(edited(kTreeText, "kind = \"spherical\"\nstiffness = 4.0\n", keys));
+      parsed_model(edited(kTreeText, "kind = \"spherical\"\nstiffness = 4.0\n", keys));
   CHECK(tree.subsystems[0].joints[1].joint.coordinates[2].stiffness == 4e4);
 }
 
 TEST_CASE("overrides reach into supports") {
   const spatial::Model model =
-      model_of(kSupportText, {"support.body.1.length=25.0", "support.joint.2.damping=10",
-                              "support.axle.offset.3=3.0", "support.body.2.mass=60"});
+      parsed_model(kSupportText, {"support.body.1.length=25.0", "support.joint.2.damping=10",
+                                  "support.axle.offset.3=3.0", "support.body.2.mass=60"});
   const spatial::Subsystem& tree = model.subsystems[0];
   CHECK(std::get<spatial::Beam>(tree.bodies[0].shape).length == 25.0);
   CHECK(std::get<spatial::RigidBody>(tree.bodies[1].shape).mass == 60.0);
   CHECK(tree.joints[1].joint.coordinates[0].damping == 10.0);
   CHECK(model.support->axle.offset.z() == 3.0);
-  CHECK(model_of(kSuspensionText, {"hub.suspension.stiffness.3=5e3"})
+  CHECK(parsed_model(kSuspensionText, {"hub.suspension.stiffness.3=5e3"})
             .subsystems[0]
             .joints[0]
             .joint.coordinates[2]
@@ -184,7 +184,7 @@ TEST_CASE("loops of a support close on the ground, the fuselage and anchors of t
       "stiffness = 1e5\n[[support.loop]]\nname = \"leg\"\nkind = \"distance\"\n"
       "from = { body = \"nacelle\" }\nto = { anchor = \"shaker\", point = [9, 0, 0] }\n"
       "stiffness = 1e5\n[integration]";
-  const spatial::Model model = model_of(edited(kSupportText, "[integration]", loop));
+  const spatial::Model model = parsed_model(edited(kSupportText, "[integration]", loop));
   const auto& loops = model.subsystems[0].loops;
   REQUIRE(loops.size() == 2);
   CHECK(loops[0].from.name == "tower");
@@ -196,13 +196,13 @@ TEST_CASE("loops of a support close on the ground, the fuselage and anchors of t
       "[[support.joint]]\nchild = \"boom\"\nkind = \"spherical\"\n[[support.loop]]\n"
       "name = \"strut\"\nkind = \"distance\"\nfrom = { body = \"boom\", point = [1, 0, 0] }\n"
       "to = \"fuselage\"\nstiffness = 1e5\n[support.axle]\nbody = \"boom\"\n";
-  const spatial::Model flying = model_of(edited(kFuselageText, "[support.axle]\n", strut));
+  const spatial::Model flying = parsed_model(edited(kFuselageText, "[support.axle]\n", strut));
   CHECK(flying.subsystems[0].loops[0].to.carrier == LoopPlace::Carrier::hub);
 }
 
 TEST_CASE("the mount moves the ground end of a support") {
   const spatial::Model model =
-      model_of(kSupportText, {"hub.mount={translation={amplitude=[0.1,0,0], frequency=3.0}}"});
+      parsed_model(kSupportText, {"hub.mount={translation={amplitude=[0.1,0,0], frequency=3.0}}"});
   CHECK(model.hub.mount.has_value());
 }
 

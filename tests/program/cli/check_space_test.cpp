@@ -30,6 +30,23 @@ TEST_CASE("check prints the tree of a model in space, and its mass") {
   CHECK(folder.entries() == 0);
 }
 
+TEST_CASE("check prints the controller of pitch, which overrides may give a model") {
+  const WorkFolder folder;
+  const std::string control =
+      "control.pitch={joint=\"pitch\", speed=34, proportional=0.1, integral=0.2, minimum=0, "
+      "maximum=0.2, rate=0.5, sign=-1}";
+  const Ended ended = run_spoke({"check", shipped("articulated_rotor"), "--set", control}, folder);
+  CHECK(ended.status == 0);
+  CHECK(ended.out.find("  pitch           joint pitch reversed, hub to 34 rad/s, 0 to 0.2 rad, at "
+                       "most 0.5 rad/s, every step\n") != std::string::npos);
+  const Ended refused = run_spoke({"check", shipped("articulated_rotor"), "--set", control, "--set",
+                                   "control.pitch.joint=hinges"},
+                                  folder);
+  CHECK(refused.status == 2);
+  CHECK(refused.err.find("control.pitch.joint: names a joint of kind \"universal\" on blade 1") !=
+        std::string::npos);
+}
+
 TEST_CASE("check tells at which speed rk4's limit is, and leaves out large trees") {
   const WorkFolder folder;
   const Ended turning = run_spoke({"check", shipped("heavy_top"), "--set",

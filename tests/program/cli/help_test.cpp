@@ -59,6 +59,7 @@ TEST_CASE("run --help names every option and what is written") {
                              "--window",
                              "--checkpoint-every",
                              "--resume",
+                             "--statistics-from",
                              "--no-report",
                              "--vtk",
                              "--trace",

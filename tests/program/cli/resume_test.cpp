@@ -65,12 +65,15 @@ TEST_CASE("a run goes on for longer, in its folder or another, as if it had not 
       run_spoke(run_of("1.02", {"--executor", "serial", "--out", "o", "--checkpoint-every", "100"}),
                 folder)
           .status == 0);
-  REQUIRE(run_spoke(run_of("2.04", {"--executor", "serial", "--out", "whole"}), folder).status ==
-          0);
+  const Words statistics = {"--statistics-from", "0.5"};  // of rows before and after the checkpoint
+  Words whole = run_of("2.04", {"--executor", "serial", "--out", "whole"});
+  whole.insert(whole.end(), statistics.begin(), statistics.end());
+  REQUIRE(run_spoke(whole, folder).status == 0);
   const std::string rows = file_text(folder.path() / "whole" / "sensors.csv");
   for (const Words& out : {Words{"--out", "other"}, Words{}}) {
     Words words = run_of("2.04", {"--executor", "serial", "--resume", "o/checkpoint.spoke"});
     words.insert(words.end(), out.begin(), out.end());
+    words.insert(words.end(), statistics.begin(), statistics.end());
     const Ended ended = run_spoke(words, folder);
     CAPTURE(ended.err);
     REQUIRE(ended.status == 0);

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -93,6 +94,46 @@ TEST_CASE("the summary holds what was run and agrees with the rows") {
   CHECK(tip["unit"] == "m");
   CHECK(tip["min"] == lowest);
   CHECK(tip["final"] == std::stod(cells_of(rows.back())[2]));
+}
+
+TEST_CASE("statistics are those of the rows from their time on") {
+  const WorkFolder folder;
+  const std::vector<std::string> arguments = {"run",        shipped("wu_haug_rotor"),
+                                              "--set",      "integration.duration=0.5",
+                                              "--set",      "blade.bodies=2",
+                                              "--out",      "o",
+                                              "--quiet",    "--no-report",
+                                              "--executor", "serial"};
+  REQUIRE(run_spoke(arguments, folder).status == 0);
+  CHECK_FALSE(summary_in(folder.path() / "o").contains("statistics"));
+  std::vector<std::string> asked = arguments;
+  asked.insert(asked.end(), {"--statistics-from", "0.2"});
+  REQUIRE(run_spoke(asked, folder).status == 0);
+  const json statistics = summary_in(folder.path() / "o")["statistics"];
+  const auto rows = lines_of(file_text(folder.path() / "o" / "sensors.csv"));
+  const auto header = cells_of(rows[0]);
+  const auto column = static_cast<std::size_t>(
+      std::find(header.begin(), header.end(), "blade2.root.moment") - header.begin());
+  REQUIRE(column < header.size());
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    const auto cells = cells_of(rows[k]);
+    if (std::stod(cells[0]) < 0.199) continue;
+    sum += std::stod(cells[column]);
+    ++count;
+  }
+  CHECK(statistics["rows"] == count);
+  const json& moment = statistics["sensors"]["blade2.root.moment"];
+  CHECK(moment["mean"].get<double>() == approx(sum / count));
+  CHECK(moment["damage_equivalent_range"].get<double>() > 0.0);
+  for (const char* seconds : {"-1", "nan", "inf", "soon"}) {
+    const Ended ended =
+        run_spoke({"run", shipped("wu_haug_rotor"), "--statistics-from", seconds}, folder);
+    CHECK(ended.status == 2);
+    CHECK(ended.err.find("--statistics-from: expected a number of 0 or more [s]") !=
+          std::string::npos);
+  }
 }
 
 TEST_CASE("every formulation and integrator and executor runs and agrees") {

@@ -24,6 +24,9 @@ std::vector<EqualStatesCase> equal_states_cases() {
   const std::pair<const char*, std::string> models[] = {
       {"blades, driven", make_text(kDrivenHub, kBooms + kHinges + kPitch, kGravity)},
       {"blades, turned", make_text(kTurnedHub, kBooms + kHinges, kRisingGravity)},
+      {"controlled blades, driven", make_text(kDrivenHub, kBooms + kControlledPitch, kGravity)},
+      {"controlled blades, turned", make_text(kTurnedHub, kBooms + kControlledPitch, kGravity)},
+      {"controlled blades on a tower", make_text(kTurnedHub, kBooms + kControlledPitch, kTower)},
       {"tree, free", make_text(kFlyingHub, kTree + kMotors, kGravity)},
       {"trees, driven", make_text(kDrivenHub, kMotors + kTree, kGravity)}};
   for (const auto& [name, text] : models)

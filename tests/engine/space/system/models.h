@@ -98,7 +98,54 @@ axis = [1.0, 0.0, 0.0]
 motion = { mean = 0.14, cosine = 0.1, sine = -0.15 }
 )";
 
+/// A pitch joint under control, which samples every 4 ms and comes to its limits.
+inline const std::string kControlledPitch = R"(
+[[blade.joint]]
+name = "pitch"
+station = 1.0
+kind = "revolute"
+axis = [1.0, 0.0, 0.0]
+motion = { time = [0.0, 0.5], value = [0.1, 0.2] }
+[control.pitch]
+joint = "pitch"
+speed = 3.5
+proportional = 0.2
+integral = 0.5
+half_gain_angle = 0.2
+minimum = -0.1
+maximum = 0.3
+rate = 2.0
+filter = 40.0
+initial = 0.05
+sign = -1
+period = 0.004
+)";
+
 /// A tree with joints of every kind, on beams and on rigid bodies, without what drives or damps.
+/// Air around kBooms, in wind along and across the axis of kDrivenHub. Behind [blade].
+inline const std::string kAir = R"(
+[blade.aerodynamics]
+station = [0.4, 0.9, 1.0, 1.5, 2.0]
+chord = [0.2, 0.22, 0.2, 0.15, 0.1]
+twist = [0.1, 0.05, 0.05, 0.02, 0.0]
+center = 0.01
+airfoil = ["thick", "wing", "wing", "wing", "wing"]
+[[airfoil]]
+name = "thick"
+angle = [-3.141592653589793, 0.0, 3.141592653589793]
+lift = [0.0, 0.0, 0.0]
+drag = [0.5, 0.5, 0.5]
+[[airfoil]]
+name = "wing"
+angle = [-3.141592653589793, -1.5, -0.3, 0.0, 0.3, 1.5, 3.141592653589793]
+lift = [0.0, 0.0, -1.2, 0.1, 1.4, 0.0, 0.0]
+drag = [0.02, 1.5, 0.1, 0.01, 0.1, 1.5, 0.02]
+moment = [0.0, 0.3, 0.05, -0.02, -0.05, -0.3, 0.0]
+[air]
+[wind]
+velocity = [0.5, 3.0, 1.0]
+)";
+
 inline const std::string kTree = R"(
 [[subsystem]]
 name = "arm"

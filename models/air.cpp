@@ -1,0 +1,17 @@
+// Names what a scenario may say of air.
+
+#include "models/air.h"
+
+namespace spoke::spatial {
+
+std::string_view name_of(Induction induction) {
+  return induction == Induction::none ? "none" : "momentum";
+}
+
+std::string_view name_of(Inflow inflow) {
+  return inflow == Inflow::dynamic ? "dynamic" : "quasi_steady";
+}
+
+std::string_view name_of(Stall stall) { return stall == Stall::dynamic ? "dynamic" : "static"; }
+
+}  // namespace spoke::spatial

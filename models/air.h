@@ -1,0 +1,82 @@
+#pragma once
+
+// Air around rotors in space: wind, aerofoils, the aerodynamics of blades, and how induction,
+// inflow and stall are modelled.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "models/wind.h"
+#include "spoke/export.h"
+
+namespace spoke::spatial {
+
+/// Coefficients of an aerofoil by angle of attack, at one Reynolds number.
+struct Polar {
+  double reynolds = 0.0;       ///< 0: the only one
+  std::vector<double> angle;   ///< of attack, ascending from -pi to pi [rad]
+  std::vector<double> lift;    ///< c_l
+  std::vector<double> drag;    ///< c_d
+  std::vector<double> moment;  ///< c_m about the aerodynamic centre, nose up; empty: 0
+
+  friend bool operator==(const Polar&, const Polar&) = default;
+};
+
+/// An aerofoil.
+struct Airfoil {
+  std::string name;           ///< name, unlike that of any other
+  std::vector<Polar> polars;  ///< one, or several by ascending Reynolds number
+
+  friend bool operator==(const Airfoil&, const Airfoil&) = default;
+};
+
+/// Aerodynamics of a blade: values at stations, linear between them.
+///
+/// The chord of a section lies along its y axis, turned about +x by `twist`; the leading edge is
+/// ahead in the direction of +y, and the suction side towards +z: a rotor that turns about +z has
+/// thrust along +z at positive angles of attack. Positive twist raises the leading edge towards +z.
+struct BladeAerodynamics {
+  std::vector<double> station;       ///< from the root, ascending, two or more [m]
+  std::vector<double> chord;         ///< [m]
+  std::vector<double> twist;         ///< of the chord against the section's y [rad]; empty: 0
+  std::vector<double> center;        ///< aerodynamic centre, along the chord ahead of the axis [m]
+  std::vector<std::string> airfoil;  ///< names in Air::airfoils
+  bool leads_backward = false;       ///< the leading edge is towards -y: the rotor turns about -z
+
+  friend bool operator==(const BladeAerodynamics&, const BladeAerodynamics&) = default;
+};
+
+/// How the rotor's own induced velocity is found.
+enum class Induction {
+  none,     ///< there is none
+  momentum  ///< blade-element momentum theory, by annuli
+};
+/// How induction follows its cause.
+enum class Inflow {
+  quasi_steady,  ///< at once
+  dynamic        ///< with two time constants, by Oye
+};
+/// How the flow around a section follows its angle of attack.
+enum class Stall {
+  steady,  ///< at once
+  dynamic  ///< separation lags, by Oye
+};
+
+/// Return the words of the scenario: "momentum", "quasi_steady", "static".
+SPOKE_EXPORT std::string_view name_of(Induction induction);
+SPOKE_EXPORT std::string_view name_of(Inflow inflow);
+SPOKE_EXPORT std::string_view name_of(Stall stall);
+
+/// Air around a rotor.
+struct Air {
+  double density = 1.225;     ///< [kg/m^3]
+  double viscosity = 1.5e-5;  ///< kinematic [m^2/s]
+  Wind wind{};
+  Induction induction = Induction::momentum;
+  Inflow inflow = Inflow::dynamic;
+  Stall stall = Stall::dynamic;
+  std::vector<Airfoil> airfoils;
+};
+
+}  // namespace spoke::spatial

@@ -1,0 +1,104 @@
+// Rules for aerofoils.
+
+#include "models/air/airfoil_check.h"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "models/error.h"
+#include "models/support/quantity.h"
+
+namespace spoke::air {
+namespace {
+
+using spatial::Airfoil;
+using spatial::Polar;
+
+constexpr double kLargest = 100.0;  // no coefficient is larger
+
+std::string in_degrees(double angle) { return describe(angle * (180.0 / std::numbers::pi)); }
+
+std::optional<PolarFault> find_angle_fault(const std::vector<double>& angle) {
+  constexpr double least_gap = 1e-6;
+  if (angle.size() < 3)
+    return PolarFault{
+        -1, "has " + std::to_string(angle.size()) + " angles of attack, expected 3 or more"};
+  for (std::size_t i = 0; i < angle.size(); ++i) {
+    const std::string is = "angle of attack is " + in_degrees(angle[i]) + " degrees";
+    const int row = static_cast<int>(i);
+    if (!std::isfinite(angle[i])) return PolarFault{row, is + ", expected a finite number"};
+    if (i == 0 && std::abs(angle[i] + std::numbers::pi) > least_gap)
+      return PolarFault{row, is + ", expected -180 in the first row"};
+    if (i > 0 && !(angle[i] > angle[i - 1] + least_gap))
+      return PolarFault{row,
+                        is + ", expected more than in the row before, " + in_degrees(angle[i - 1])};
+    if (i + 1 == angle.size() && std::abs(angle[i] - std::numbers::pi) > least_gap)
+      return PolarFault{row, is + ", expected 180 in the last row"};
+  }
+  return std::nullopt;
+}
+
+std::optional<PolarFault> find_column_fault(const std::string& name,
+                                            const std::vector<double>& column, std::size_t size,
+                                            double least) {
+  if (column.size() != size)
+    return PolarFault{-1, "has " + std::to_string(column.size()) + " values of " + name +
+                              ", expected one for each of " + std::to_string(size) +
+                              " angles of attack"};
+  for (std::size_t i = 0; i < size; ++i)
+    if (!(column[i] >= least && column[i] <= kLargest))
+      return PolarFault{static_cast<int>(i), name + " is " + describe(column[i]) + ", expected " +
+                                                 describe(least) + " to " + describe(kLargest)};
+  return std::nullopt;
+}
+
+std::optional<PolarFault> find_open_end(const std::string& name,
+                                        const std::vector<double>& column) {
+  if (column.empty() || column.front() == column.back()) return std::nullopt;
+  return PolarFault{static_cast<int>(column.size()) - 1,
+                    name + " is " + describe(column.back()) + " at 180 degrees, expected " +
+                        describe(column.front()) + " as at -180 degrees",
+                    true};
+}
+
+}  // namespace
+
+std::optional<PolarFault> find_polar_fault(const Polar& polar) {
+  if (auto fault = find_angle_fault(polar.angle)) return fault;
+  const std::size_t size = polar.angle.size();
+  if (auto fault = find_column_fault("lift", polar.lift, size, -kLargest)) return fault;
+  if (auto fault = find_column_fault("drag", polar.drag, size, 0.0)) return fault;
+  if (!polar.moment.empty())
+    if (auto fault = find_column_fault("moment", polar.moment, size, -kLargest)) return fault;
+  if (auto fault = find_open_end("lift", polar.lift)) return fault;
+  if (auto fault = find_open_end("drag", polar.drag)) return fault;
+  return find_open_end("moment", polar.moment);
+}
+
+void check_airfoil(const Airfoil& airfoil) {
+  const auto refuse = [&](const std::string& what) {
+    throw InputError("aerofoil \"" + airfoil.name + "\": " + what);
+  };
+  if (airfoil.polars.empty()) refuse("has no polars, expected one or more");
+  for (std::size_t k = 0; k < airfoil.polars.size(); ++k) {
+    const Polar& polar = airfoil.polars[k];
+    const std::string name = "polar " + std::to_string(k + 1) + ": ";
+    if (airfoil.polars.size() > 1) {
+      const std::string is = name + "Reynolds number is " + describe(polar.reynolds);
+      if (!(polar.reynolds > 0.0) || !std::isfinite(polar.reynolds))
+        refuse(is + ", expected a number greater than 0");
+      if (k > 0 && !(polar.reynolds > airfoil.polars[k - 1].reynolds))
+        refuse(is + ", expected more than in the polar before");
+    } else if (!(polar.reynolds >= 0.0) || !std::isfinite(polar.reynolds)) {
+      refuse(name + "Reynolds number is " + describe(polar.reynolds) + ", expected 0 or more");
+    }
+    if (const auto fault = find_polar_fault(polar)) {
+      const std::string row =
+          fault->row >= 0 ? "row " + std::to_string(fault->row + 1) + ": " : std::string();
+      refuse(name + row + fault->what);
+    }
+  }
+}
+
+}  // namespace spoke::air

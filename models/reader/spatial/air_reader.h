@@ -1,0 +1,22 @@
+#pragma once
+
+// Reads [air], [aerodynamics] and [[airfoil]], and the aerodynamics of a blade.
+
+#include <optional>
+#include <string>
+
+#include "models/reader/toml_section.h"
+#include "models/spatial_model.h"
+
+namespace spoke::spatial {
+
+/// Returns the keys of [blade.aerodynamics].
+TomlSection::Keys aerodynamics_keys();
+/// Reads [blade.aerodynamics] of a blade whose beam has this length [m].
+BladeAerodynamics read_aerodynamics(const TomlSection& section, double length);
+
+/// Reads the air around a model whose blades are read; none if there is no [air]. An aerofoil that
+/// no [[airfoil]] names is a file, relative to `folder`.
+std::optional<Air> read_air(const TomlSection& root, const std::string& folder, const Model& model);
+
+}  // namespace spoke::spatial

@@ -1,0 +1,32 @@
+// Compares descriptions of wind, and names their choices.
+
+#include "models/wind.h"
+
+namespace spoke {
+namespace {
+
+bool is_same(const std::optional<Curve>& a, const std::optional<Curve>& b) {
+  if (!a || !b) return !a && !b;
+  return a->times() == b->times() && a->values() == b->values();
+}
+
+}  // namespace
+
+bool operator==(const Wind& a, const Wind& b) {
+  return a.velocity == b.velocity && is_same(a.speed, b.speed) && a.file == b.file &&
+         a.shear_exponent == b.shear_exponent && a.reference_height == b.reference_height &&
+         a.up == b.up && a.ground == b.ground && a.gust == b.gust && a.turbulence == b.turbulence &&
+         a.by_program == b.by_program && a.field == b.field;
+}
+
+std::string_view name_of(GustShape shape) {
+  return shape == GustShape::one_minus_cosine ? "one_minus_cosine" : "operating";
+}
+
+std::string_view name_of(TurbulenceSpectrum) { return "kaimal"; }
+
+std::string_view name_of(Coherence coherence) {
+  return coherence == Coherence::longitudinal ? "longitudinal" : "all";
+}
+
+}  // namespace spoke

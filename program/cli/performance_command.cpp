@@ -1,0 +1,42 @@
+// Prints the performance of a rotor in wind, and writes performance.csv, .json and .html.
+
+#include "program/cli/commands.h"
+#include "program/cli/progress.h"
+#include "program/cli/report.h"
+#include "program/cli/steady_task.h"
+#include "program/steady_report/performance_files.h"
+
+namespace spoke::cli {
+namespace {
+
+PerformanceResult solve(PerformanceOptions options, const SteadyTask& task) {
+  const std::size_t pitches = std::max<std::size_t>(1, options.pitch.size());
+  const std::size_t count = options.tip_speed_ratio.empty()
+                                ? options.wind.size()
+                                : options.tip_speed_ratio.size() * pitches;
+  const CountProgress progress(count, "points");
+  options.progress = [&progress](std::size_t done) { progress.show(done); };
+  return task.solve([&](const Scenario& scenario) { return solve_performance(scenario, options); });
+}
+
+}  // namespace
+
+int find_performance(const Arguments& arguments) {
+  const SteadyTask task(arguments, "performance");
+  const PerformanceArguments& asked = arguments.performance;
+  const PerformanceResult result = solve({.wind = asked.wind,
+                                          .tip_speed_ratio = asked.tip_speed_ratio,
+                                          .pitch = asked.pitch,
+                                          .joint = asked.joint,
+                                          .is_rigid = asked.is_rigid},
+                                         task);
+  task.write({{"performance.csv", steady_report::make_csv(result)},
+              {"performance.json", steady_report::make_json(result, task.scenario())},
+              {"performance.html", steady_report::make_html(result, task.title())}});
+  print_title(task.scenario().title);
+  print_table(steady_report::make_performance_table(result));
+  print_line("written", task.path("performance.html") + ", performance.csv, performance.json");
+  return 0;
+}
+
+}  // namespace spoke::cli
