@@ -42,7 +42,7 @@ Scenario make_rotor(Scenario scenario, bool is_in_air) {
   spatial::DistributedLoad load;
   load.frame = spatial::LoadFrame::body;
   load.from = 10.0;
-  load.force = {0.0, 713.0, 4531.0};
+  load.force_per_length = {0.0, 713.0, 4531.0};
   scenario.space->distributed_loads = {load};
   return scenario;
 }
