@@ -14,6 +14,7 @@
 #include "bench/questions.h"
 #include "engine/simulation.h"
 #include "graph/machine/duration_text.h"
+#include "models/system/spatial_system.h"
 
 namespace spoke::bench {
 namespace {
@@ -35,8 +36,7 @@ Scenario read_turbine() {
 
 /// Returns the rotor of a turbine alone, in air or in a vacuum.
 Scenario make_rotor(Scenario scenario, bool is_in_air) {
-  scenario.space->support.reset();
-  scenario.space->subsystems.pop_back();
+  scenario.space = spoke::without_support(*scenario.space);
   if (is_in_air) return scenario;
   scenario.space->air.reset();
   spatial::DistributedLoad load;

@@ -19,6 +19,7 @@
 #include "bench/questions.h"
 #include "engine/simulation.h"
 #include "graph/machine/duration_text.h"
+#include "models/system/spatial_system.h"
 
 namespace spoke::bench {
 namespace {
@@ -36,8 +37,7 @@ Scenario read_turbine() {
 
 /// Returns a rotor without what carries it.
 Scenario without_support(Scenario scenario) {
-  scenario.space->support.reset();
-  scenario.space->subsystems.pop_back();
+  scenario.space = spoke::without_support(*scenario.space);
   return scenario;
 }
 

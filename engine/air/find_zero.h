@@ -9,11 +9,10 @@ namespace spoke::air {
 
 /// Returns a zero of a continuous function between x and y, where its values are of opposite sign,
 /// by Chandrupatla (Advances in Engineering Software 28 (1997) 145-149): inverse quadratic
-/// interpolation where it is safe, else halving. Exact to a relative 1e-14.
+/// interpolation where it is safe, else halving. Exact to this share of the zero.
 template <class Function>
-double find_zero(const Function& function, double x, double value_x, double y,
-                 double value_y) noexcept {
-  constexpr double relative = 1e-14;
+double find_zero(const Function& function, double x, double value_x, double y, double value_y,
+                 double relative = 1e-14) {
   constexpr double absolute = 1e-300;
   constexpr int most = 200;
   double share = value_x / (value_x - value_y);  // first the secant

@@ -103,9 +103,11 @@ void evaluate_air(double t, double elapsed, const System<Space>& system, std::si
                       {own.stations.data(), own.stations.size()});
   own.reached.back() = 1.0;
   own.sum = sum_up(rotor, own.motions, own.forces);
+  space::Rotation to_body;
   for (std::size_t k = 0; k < own.markers.size(); ++k) {
-    const space::Rotation to_body =
-        (data.hub->R * calc_rotation_to_hub(subsystem, data, own.markers[k].body)).inverse();
+    const int body = own.markers[k].body;
+    if (k == 0 || body != own.markers[k - 1].body)
+      to_body = (data.hub->R * calc_rotation_to_hub(subsystem, data, body)).inverse();
     own.wrenches[k] = {to_body * space::Position(own.forces[k].force),
                        to_body * space::Angular(own.forces[k].moment)};
   }

@@ -3,10 +3,9 @@
 #include "engine/simulation/spatial_sensors.h"
 
 #include <array>
-#include <cmath>
-#include <numbers>
 #include <utility>
 
+#include "engine/air/rotor_coefficients.h"
 #include "engine/columns/spatial_columns.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/space/joint_values.h"
@@ -83,22 +82,21 @@ void SpatialSensors::append_air(const System<Space>& system, std::int64_t step,
   const SystemRecord<Space>& record = of_step(data.records, step);
   const double speed =
       system.rotors.empty() ? record.velocity[Space::kAxial] : record.rotor.velocity[Space::kAxial];
-  AirSum sum;
-  double pressure = 0.0;  // of the wind, on the rotor's disc [N]
+  double wind = 0.0;
+  air::RotorLoads rotor{0.0, 0.0, speed, 0.0, 0.0};
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
     const BladeAirModel* model = system.subsystems[i].air.get();
     if (!model) continue;
     const AirSum& own = of_step(data.subsystems[i].samples, step).air;
-    sum.thrust += own.thrust;
-    sum.torque += own.torque;
-    sum.wind = own.wind;
-    const double area = std::numbers::pi * model->tip_radius * model->tip_radius;
-    pressure = 0.5 * model->air->density * own.wind * own.wind * area;
+    rotor.thrust += own.thrust;
+    rotor.torque += own.torque;
+    wind = own.wind;
+    rotor.radius = model->tip_radius;
+    rotor.density = model->air->density;
   }
-  const double power = sum.torque * speed;
-  const auto by = [](double value, double unit) { return unit != 0.0 ? value / unit : 0.0; };
-  for (const double value : {sum.wind, sum.thrust, sum.torque, power, by(sum.thrust, pressure),
-                             by(power, pressure * std::abs(sum.wind))})
+  const air::RotorCoefficients coefficients = calc_wind_coefficients(rotor, wind);
+  for (const double value : {wind, rotor.thrust, rotor.torque, rotor.torque * speed,
+                             coefficients.thrust, coefficients.power})
     values_.push_back(value);
 }
 

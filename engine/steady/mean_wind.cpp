@@ -33,6 +33,11 @@ Scenario in_mean_wind(const Scenario& scenario, Instant instant) {
   assert(has_changing_wind(scenario));
   Wind wind = scenario.space->air->wind;
   if (wind.speed && instant == Instant::end) wind.speed = Curve(wind.speed->values().back());
+  if (wind.gust || wind.turbulence) {  // the mean has neither, and turbulence takes long to make
+    wind.gust.reset();
+    wind.turbulence.reset();
+    wind.kept.reset();
+  }
   Scenario calm = scenario;
   calm.space->air->wind = Wind{};
   calm.space->air->wind.velocity = make_wind(wind)->mean(find_hub(*scenario.space));

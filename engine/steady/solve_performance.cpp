@@ -4,15 +4,15 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numbers>
 #include <optional>
 
+#include "engine/air/find_zero.h"
+#include "engine/air/rotor_coefficients.h"
 #include "engine/performance.h"
 #include "engine/steady/rotor_in_wind.h"
 #include "engine/steady/steady_speed.h"
 #include "models/error.h"
 #include "models/reader/scenario_check.h"
-#include "models/support/quantity.h"
 
 namespace spoke {
 namespace {
@@ -23,27 +23,8 @@ using steady::RotorInWind;
 /// A time at which all ramps are over.
 constexpr double kLate = std::numeric_limits<double>::max();
 
-struct Sample {
-  double x, f;
-};
-
-/// Returns a root of f between two places where its signs differ, to some 1e-7 of their distance,
-/// by the Illinois method: false position that halves the value of an end that stays.
-double find_root(const std::function<double(double)>& f, Sample a, Sample b) {
-  constexpr int kMost = 60;
-  const double resolution = 1e-7 * std::abs(b.x - a.x);
-  for (int k = 0; k < kMost && std::abs(b.x - a.x) > resolution; ++k) {
-    Sample c{b.x - b.f * (b.x - a.x) / (b.f - a.f), 0.0};
-    c.f = f(c.x);
-    if (c.f == 0.0 || std::abs(c.x - b.x) <= resolution) return c.x;
-    if ((c.f > 0.0) != (b.f > 0.0))
-      a = b;
-    else
-      a.f *= 0.5;
-    b = c;
-  }
-  return b.x;
-}
+/// How well a speed or an angle is found, by itself: a state takes an equilibrium of its own.
+constexpr double kResolution = 1e-7;
 
 /// Pitch as the scenario controls it, or as it is asked for.
 struct Pitch {
@@ -139,7 +120,8 @@ class Performance {
     for (double ratio = kFrom - kStep; ratio >= kTo; ratio -= kStep) {
       const double f_here = f(ratio);
       if (f_here >= 0.0 && f_above < 0.0)
-        return turn * wind / radius_ * find_root(f, {ratio, f_here}, {above, f_above});
+        return turn * wind / radius_ *
+               air::find_zero(f, ratio, f_here, above, f_above, kResolution);
       above = ratio;
       f_above = f_here;
     }
@@ -157,7 +139,7 @@ class Performance {
     while (below < *pitch_.most) {
       const double theta = std::min(below + kStep, *pitch_.most), f_here = f(theta);
       if (f_below >= 0.0 && f_here < 0.0) {
-        const double found = find_root(f, {below, f_below}, {theta, f_here});
+        const double found = air::find_zero(f, below, f_below, theta, f_here, kResolution);
         return evaluate(wind, pitch_.set_point, pitch_.sign * found);
       }
       below = theta;
@@ -178,12 +160,11 @@ class Performance {
     point.torque = answer.torque;
     point.power = answer.torque * speed;
     point.tip_displacement = answer.tip_displacement;
-    if (wind == 0.0) return point;
-    const double area = std::numbers::pi * radius_ * radius_;
-    const double force = 0.5 * model_.air->density * area * wind * wind;
-    point.tip_speed_ratio = std::abs(speed) * radius_ / std::abs(wind);
-    point.thrust_coefficient = answer.thrust / force;
-    point.power_coefficient = point.power / (force * std::abs(wind));
+    if (wind != 0.0) point.tip_speed_ratio = std::abs(speed) * radius_ / std::abs(wind);
+    const air::RotorCoefficients coefficients = air::calc_wind_coefficients(
+        {answer.thrust, answer.torque, speed, radius_, model_.air->density}, wind);
+    point.thrust_coefficient = coefficients.thrust;
+    point.power_coefficient = coefficients.power;
     return point;
   }
 
