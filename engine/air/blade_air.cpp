@@ -6,32 +6,17 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 
 #include "engine/air/annulus.h"
 #include "engine/air/inflow.h"
 #include "engine/air/section_flow.h"
+#include "engine/air/station_state.h"
 
 namespace spoke::air {
 namespace {
 
 using Eigen::Vector3d;
-
-/// The state of a station, as BladeAir::evaluate() receives and returns it.
-struct StationState {
-  InflowState axial, tangential;
-  InducedFlow steady;  // the solution of the annulus
-  double inflow_rate;
-  double separation, steady_separation, stall_rate;
-
-  void clear_inflow() {
-    axial = tangential = {};
-    steady = {};
-    inflow_rate = 0.0;
-  }
-};
-static_assert(sizeof(StationState) == kStates * sizeof(double));
 
 /// The wind against the hub.
 struct HubWind {
@@ -50,23 +35,6 @@ struct HubWind {
 double wrap(double angle) noexcept {
   if (angle > std::numbers::pi) return angle - 2.0 * std::numbers::pi;
   return angle < -std::numbers::pi ? angle + 2.0 * std::numbers::pi : angle;
-}
-
-StationState load_state(const double* state) noexcept {
-  return {{state[0], state[1]},
-          {state[2], state[3]},
-          {state[4], state[5]},
-          state[6],
-          state[7],
-          state[8],
-          state[9]};
-}
-
-void save_state(const StationState& s, double* state) noexcept {
-  const double values[kStates] = {
-      s.axial.own,         s.axial.induced, s.tangential.own, s.tangential.induced, s.steady.axial,
-      s.steady.tangential, s.inflow_rate,   s.separation,     s.steady_separation,  s.stall_rate};
-  std::copy(std::begin(values), std::end(values), state);
 }
 
 /// Turns loads by length, linear between stations, into those of the stations, by linear shapes:

@@ -1,0 +1,48 @@
+#pragma once
+
+// The states of inflow and stall at a station, as BladeAir::evaluate() receives and returns them.
+
+#include <algorithm>
+#include <iterator>
+
+#include "engine/air/annulus.h"
+#include "engine/air/blade_air.h"
+#include "engine/air/inflow.h"
+
+namespace spoke::air {
+
+/// The state of a station.
+struct StationState {
+  InflowState axial, tangential;
+  InducedFlow steady;  // the solution of the annulus
+  double inflow_rate;
+  double separation, steady_separation, stall_rate;
+
+  void clear_inflow() {
+    axial = tangential = {};
+    steady = {};
+    inflow_rate = 0.0;
+  }
+};
+static_assert(sizeof(StationState) == kStates * sizeof(double));
+
+/// Reads a state from kStates numbers.
+inline StationState load_state(const double* state) noexcept {
+  return {{state[0], state[1]},
+          {state[2], state[3]},
+          {state[4], state[5]},
+          state[6],
+          state[7],
+          state[8],
+          state[9]};
+}
+
+/// Writes it to as many.
+inline void save_state(const StationState& s, double* state) noexcept {
+  const double values[kStates] = {
+      s.axial.own,         s.axial.induced, s.tangential.own, s.tangential.induced, s.steady.axial,
+      s.steady.tangential, s.inflow_rate,   s.separation,     s.steady_separation,  s.stall_rate};
+  std::copy(std::begin(values), std::end(values), state);
+}
+
+}  // namespace spoke::air
