@@ -31,6 +31,9 @@ struct HubWind {
   }
 };
 
+/// Returns the size of a vector; unlike std::hypot(), of speeds whose squares are finite.
+double find_size(double x, double y) noexcept { return std::sqrt(x * x + y * y); }
+
 /// Returns an angle within half a turn.
 double wrap(double angle) noexcept {
   if (angle > std::numbers::pi) return angle - 2.0 * std::numbers::pi;
@@ -77,11 +80,9 @@ struct BladeAir::Point {
   SectionFlow flow;
   SectionPolar::Level level{};
   StationState state{};
-  double pitch = 0.0;               // makes the flow's angle that of attack
-  double turning = 0.0;             // part of it, see find_turning_angle()
+  double turning = 0.0;             // see find_turning_angle()
   double axial = 0.0, ahead = 0.0;  // flow with induction
-
-  double relative() const { return std::hypot(axial, ahead); }
+  double relative = 0.0;            // its size
 };
 
 BladeAir::Point BladeAir::find_point(const RotorPlace& rotor, const Station& station,
@@ -89,11 +90,10 @@ BladeAir::Point BladeAir::find_point(const RotorPlace& rotor, const Station& sta
                                      double in_plane) const noexcept {
   const SectionAxes axes = find_axes(rotor, section, station.sine, station.cosine, side_);
   const SectionFlow flow = find_flow(axes, section, wind, station.center, in_plane);
-  const double speed = std::hypot(flow.axial, flow.ahead);
+  const double speed = find_size(flow.axial, flow.ahead);
   Point point{station, axes, flow};
   point.level = station.polar.level(speed * station.chord / viscosity_);
   point.turning = find_turning_angle(axes, section, flow, station.chord);
-  point.pitch = axes.pitch + point.turning;
   return point;
 }
 
@@ -103,8 +103,9 @@ InducedFlow BladeAir::solve_momentum(const Point& point) const noexcept {
   const double radius = std::max(point.axes.radius, least_radius * radius_);
   const Annulus annulus{blades_ * station.chord / (2.0 * std::numbers::pi * radius), station.tip,
                         station.root};
+  const double pitch = std::atan2(point.axes.pitch_sine, point.axes.pitch_cosine) + point.turning;
   return solve_annulus(annulus, point.flow, [&](double angle) {
-    return station.polar.lift(point.level, angle + point.pitch);
+    return station.polar.lift(point.level, angle + pitch);
   });
 }
 
@@ -135,7 +136,7 @@ double BladeAir::advance_lift(const Advance& advance, const PolarValues& polar,
   const double chord = point.station.chord;
   if (lags_stall_ && advance.stands())
     return polar.lift + (state.separation - polar.separation) * polar.recovery;
-  const double rate = chord > 0.0 ? point.relative() / (chords * chord) : 0.0;
+  const double rate = chord > 0.0 ? point.relative / (chords * chord) : 0.0;
   if (lags_stall_ && !advance.to_rest)
     state.separation = advance_filter(state.separation, state.steady_separation, polar.separation,
                                       advance.turns(state.stall_rate, rate));
@@ -149,15 +150,17 @@ double BladeAir::advance_lift(const Advance& advance, const PolarValues& polar,
 void BladeAir::evaluate(const RotorPlace& rotor, std::span<const MarkerMotion> sections,
                         std::span<const Vector3d> wind, double elapsed, const double* before,
                         double* after, std::span<Wrench> out, std::span<StationAir> seen,
-                        bool frozen) const noexcept {
+                        bool held) const noexcept {
   const HubWind hub(rotor);
   const Advance advance(elapsed);
   for (std::size_t i = 0; i < stations_.size(); ++i) {
     Point point = find_point(rotor, stations_[i], sections[i], wind[i], hub.across);
-    if (!advance.to_rest || frozen) point.state = load_state(before + i * kStates);
-    if (!induces_)
-      point.state.clear_inflow();
-    else if (!frozen && !(lags_inflow_ && advance.stands()))
+    if (!advance.to_rest) point.state = load_state(before + i * kStates);
+    if (held)
+      point.state.take_inflow(load_state(after + i * kStates));
+    else if (!induces_)
+      point.state.take_inflow({});
+    else if (!(lags_inflow_ && advance.stands()))
       advance_induced(advance, point);
     const double skew =
         calc_skew_factor(hub.along - point.state.axial.induced, hub.across,
@@ -165,7 +168,8 @@ void BladeAir::evaluate(const RotorPlace& rotor, std::span<const MarkerMotion> s
     const InducedFlow induced{skew * point.state.axial.induced, point.state.tangential.induced};
     point.axial = point.flow.axial - induced.axial;
     point.ahead = point.flow.ahead + induced.tangential;
-    const double attack = wrap(std::atan2(point.axial, point.ahead) + point.pitch);
+    point.relative = find_size(point.axial, point.ahead);
+    const double attack = wrap(point.axes.find_attack(point.axial, point.ahead) + point.turning);
     PolarValues polar = point.station.polar.values(point.level, attack);
     polar.lift = advance_lift(advance, polar, point);
     polar.moment += calc_turning_moment(point.turning, polar.separation);
@@ -178,7 +182,7 @@ void BladeAir::evaluate(const RotorPlace& rotor, std::span<const MarkerMotion> s
 
 Wrench BladeAir::find_load(const Point& point, const PolarValues& polar) const noexcept {
   const SectionAxes& axes = point.axes;
-  const double relative = point.relative();
+  const double relative = point.relative;
   const double pressure = 0.5 * density_ * point.station.chord * relative;  // by speed
   const Vector3d lift = polar.lift * (point.ahead * axes.axial + point.axial * axes.tangential);
   const Vector3d drag = polar.drag * (point.axial * axes.axial - point.ahead * axes.tangential);
@@ -194,7 +198,7 @@ StationAir BladeAir::describe(const RotorPlace& rotor, const Point& point,
   const SectionAxes& axes = point.axes;
   return {.radius = axes.radius,
           .attack = attack,
-          .relative_speed = point.relative(),
+          .relative_speed = point.relative,
           .axial_induction = by(induced.axial, point.flow.axial),
           .tangential_induction = by(induced.tangential, point.flow.ahead),
           .induced_axial = -induced.axial,

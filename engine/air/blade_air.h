@@ -62,6 +62,8 @@ class SPOKE_EXPORT BladeAir {
   std::size_t state_size() const { return kStates * stations_.size(); }
   /// Returns the distances of the stations from the root [m].
   const std::vector<double>& stations() const { return places_; }
+  /// Whether induced velocities lag behind the annuli's solutions: inflow is dynamic.
+  bool lags_inflow() const { return lags_inflow_; }
   /// Returns the rotor's radius, undeformed [m].
   double radius() const { return radius_; }
 
@@ -73,12 +75,13 @@ class SPOKE_EXPORT BladeAir {
   /// in between. 0: induced velocities and separation are those of `before`, where they have states
   /// (dynamic); infinite: the states of equilibrium, whatever `before` holds. after: states at t;
   /// may be `before`. out: force [N] and moment [N m] about the section's axis, inertial frame.
-  /// seen: what the air does at each station, or empty. frozen: induced velocities are those of
-  /// `before` under all options. All spans have count() entries. Finite input gives finite loads.
+  /// seen: what the air does at each station, or empty. held: induced velocities and their states
+  /// are those that `after` has, under all options. All spans have count() entries. Finite input
+  /// gives finite loads.
   void evaluate(const RotorPlace& rotor, std::span<const MarkerMotion> sections,
                 std::span<const Eigen::Vector3d> wind, double elapsed, const double* before,
                 double* after, std::span<Wrench> out, std::span<StationAir> seen,
-                bool frozen = false) const noexcept;
+                bool held = false) const noexcept;
 
   /// Returns the thrust of the blade along the rotor's axis [N].
   double thrust(std::span<const StationAir> seen) const noexcept;

@@ -7,6 +7,24 @@
 #include <numbers>
 
 namespace spoke::air {
+namespace {
+
+/// Flow in the axes of the chord [m/s].
+struct ChordFlow {
+  double along;   // from the leading to the trailing edge
+  double normal;  // from the lower side to that of suction
+
+  ChordFlow(const SectionAxes& axes, double axial, double ahead)
+      : along(ahead * axes.pitch_cosine - axial * axes.pitch_sine),
+        normal(axial * axes.pitch_cosine + ahead * axes.pitch_sine) {}
+};
+
+}  // namespace
+
+double SectionAxes::find_attack(double axial_flow, double ahead) const noexcept {
+  const ChordFlow flow(*this, axial_flow, ahead);
+  return std::atan2(flow.normal, flow.along);
+}
 
 SectionAxes find_axes(const RotorPlace& rotor, const MarkerMotion& section, double sine,
                       double cosine, double side) noexcept {
@@ -22,7 +40,8 @@ SectionAxes find_axes(const RotorPlace& rotor, const MarkerMotion& section, doub
   axes.tangential = side * axes.axial.cross(along);
   axes.chord = (side * cosine) * section.rotation.col(1) + sine * section.rotation.col(2);
   axes.nose_up = side * along;
-  axes.pitch = std::atan2(axes.chord.dot(axes.axial), axes.chord.dot(axes.tangential));
+  axes.pitch_sine = axes.chord.dot(axes.axial);
+  axes.pitch_cosine = axes.chord.dot(axes.tangential);
   const Eigen::Vector3d arm = section.position - rotor.center;
   axes.outward = arm - arm.dot(rotor.axis) * rotor.axis;
   axes.radius = axes.outward.norm();
@@ -42,12 +61,9 @@ double find_turning_angle(const SectionAxes& axes, const MarkerMotion& section,
                           const SectionFlow& flow, double chord) noexcept {
   const double rise = 0.5 * chord * section.angular_velocity.dot(axes.nose_up);
   if (rise == 0.0) return 0.0;
-  // The chord's normal, towards the suction side, has these parts.
-  const double axial = std::cos(axes.pitch), ahead = std::sin(axes.pitch);
-  const double along_chord = flow.ahead * axial - flow.axial * ahead;
-  const double normal = flow.axial * axial + flow.ahead * ahead;
-  const double angle = std::atan2(normal + rise, along_chord) - std::atan2(normal, along_chord);
-  return std::remainder(angle, 2.0 * std::numbers::pi);
+  const ChordFlow at_quarter(axes, flow.axial, flow.ahead);
+  const double along = at_quarter.along, normal = at_quarter.normal;
+  return std::atan2(rise * along, along * along + normal * (normal + rise));
 }
 
 double calc_turning_moment(double turning, double attached) noexcept {

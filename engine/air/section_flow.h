@@ -19,7 +19,10 @@ struct SectionAxes {
   Eigen::Vector3d around;   ///< of the circle about the rotor's axis, in the direction of the turn
   Eigen::Vector3d outward;  ///< from the axis; zero on it
   double radius;            ///< [m]
-  double pitch;             ///< of the chord against the tangential axis, nose up [rad]
+  double pitch_sine, pitch_cosine;  ///< of the chord against the tangential axis, nose up
+
+  /// Returns the angle of flow against the chord, positive against its lower side [rad].
+  double find_attack(double axial_flow, double ahead) const noexcept;
 };
 
 /// Returns the axes of a section. sine, cosine: of the chord's twist; side: 1, or -1 if leading

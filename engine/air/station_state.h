@@ -18,10 +18,12 @@ struct StationState {
   double inflow_rate;
   double separation, steady_separation, stall_rate;
 
-  void clear_inflow() {
-    axial = tangential = {};
-    steady = {};
-    inflow_rate = 0.0;
+  /// Takes the states of inflow of another.
+  void take_inflow(const StationState& other) {
+    axial = other.axial;
+    tangential = other.tangential;
+    steady = other.steady;
+    inflow_rate = other.inflow_rate;
   }
 };
 static_assert(sizeof(StationState) == kStates * sizeof(double));

@@ -85,22 +85,21 @@ void place_air(const System<Space>& system, StepData<Space>& data) {
     }
 }
 
-void evaluate_air(double t, double elapsed, const System<Space>& system, std::size_t i,
-                  SubsystemData<Space>& data) noexcept {
+void evaluate_air(double t, double elapsed, bool iterates, const System<Space>& system,
+                  std::size_t i, SubsystemData<Space>& data) noexcept {
   assert(data.air && system.wind && elapsed >= 0.0);
   AirData<Space>& own = *data.air;
   const Subsystem<Space>& subsystem = system.subsystems[i];
-  for (std::size_t k = 0; k < own.markers.size(); ++k) {
-    own.motions[k] = calc_load_motion(subsystem, data, own.markers[k]);
+  calc_load_motions(subsystem, data, own.markers, own.motions);
+  for (std::size_t k = 0; k < own.markers.size(); ++k)
     own.winds[k] = find_wind(*system.wind, own.motions[k].position, t);
-  }
   std::fill(own.forces.begin(), own.forces.end(), Wrench{});
   const air::RotorPlace rotor = place_rotor(t, *data.hub, *system.wind);
   const bool has_begun = own.states.back() != 0.0;
-  own.blade->evaluate(rotor, own.motions, own.winds,
-                      has_begun ? elapsed : std::numeric_limits<double>::infinity(),
-                      own.states.data(), own.reached.data(), own.forces,
-                      {own.stations.data(), own.stations.size()});
+  own.blade->evaluate(
+      rotor, own.motions, own.winds, has_begun ? elapsed : std::numeric_limits<double>::infinity(),
+      own.states.data(), own.reached.data(), own.forces, {own.stations.data(), own.stations.size()},
+      iterates && own.blade->lags_inflow());
   own.reached.back() = 1.0;
   own.sum = sum_up(rotor, own.motions, own.forces);
   space::Rotation to_body;

@@ -2,6 +2,8 @@
 
 // Motion and forces at a marker, a point anywhere on a subsystem.
 
+#include <span>
+
 #include "engine/table/step_data.h"
 
 namespace spoke {
@@ -48,6 +50,10 @@ MarkerMotion calc_marker_motion(const Subsystem<Space>& subsystem, const Subsyst
                                 const PlacedMarker<Space>& marker) noexcept;
 MarkerMotion calc_load_motion(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
                               const PlacedMarker<Space>& marker) noexcept;
+/// Those of several markers; what is inboard of a body is found once for those of it in a row.
+void calc_load_motions(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
+                       std::span<const PlacedMarker<Space>> markers,
+                       std::span<MarkerMotion> motions) noexcept;
 /// Linear and angular acceleration [m/s^2, rad/s^2].
 space::Twist calc_marker_acceleration(const space::Position& gravity,
                                       const Subsystem<Space>& subsystem,

@@ -3,6 +3,7 @@
 #include "engine/kernels/marker_motion.h"
 
 #include <cassert>
+#include <span>
 #include <utility>
 
 #include "engine/kernels/kinematics.h"
@@ -35,6 +36,53 @@ space::Position place_in_hub(const space::Pose& X_HB, const space::HandleMotion&
   return X_HB.p + X_HB.R * motion.s;
 }
 
+/// Returns the motion of a marker on a body whose pose is given.
+MarkerMotion calc_motion_on(const space::Pose& X_HB, const SubsystemData<Space>& data,
+                            const PlacedMarker<Space>& marker) {
+  const auto j = static_cast<std::size_t>(marker.body);
+  const HubState<Space>& hub = *data.hub;
+  const space::HandleMotion section = motion_at(data.bodies[j], marker.section);
+  const space::Rotation R = hub.R * X_HB.R;
+  const space::Twist velocity = section.carry(data.twists[j]) + section.twist();
+  MarkerMotion motion;
+  motion.position = hub.p + hub.R * place_in_hub(X_HB, section);
+  motion.rotation = (R * section.turn.R * marker.section.axes).axes;
+  motion.velocity = R * space::Position(linear(velocity));
+  motion.angular_velocity = R * space::Angular(angular(velocity));
+  return motion;
+}
+
+/// Returns by what the marker's own body draws it inward, in the hub frame.
+space::DrawnInward calc_drawn_on(const SubsystemData<Space>& data,
+                                 const PlacedMarker<Space>& marker) {
+  const BodyData<Space>& body = data.bodies[static_cast<std::size_t>(marker.body)];
+  if (!body.model->stiffening) return {};
+  const space::DrawnInward drawn =
+      calc_section_drawn(body, marker.section, body.coordinates.q, body.coordinates.v);
+  const space::Rotation& R_HB = body.model->stiffening->R_HB;
+  return {R_HB * drawn.place, R_HB * drawn.rate};
+}
+
+/// Returns by what the bodies inboard of one draw it inward, in the hub frame.
+space::DrawnInward calc_drawn_inboard(const SubsystemData<Space>& data, int outer) {
+  space::DrawnInward sum;
+  Eigen::Matrix3d pass = Eigen::Matrix3d::Identity();
+  const TreeBody<Space>* model = data.bodies[static_cast<std::size_t>(outer)].model;
+  while (model->parent >= 0) {
+    if (const auto& slide = model->joint.slide)  // it does not follow those inboard along it
+      pass -= (pass * slide->axis) * slide->axis.transpose();
+    const BodyData<Space>& body = data.bodies[static_cast<std::size_t>(model->parent)];
+    if (body.model->stiffening) {
+      const space::DrawnInward drawn =
+          calc_handle_drawn(body, model->handle, body.coordinates.q, body.coordinates.v);
+      sum.place += pass * (body.model->stiffening->R_HB * drawn.place);
+      sum.rate += pass * (body.model->stiffening->R_HB * drawn.rate);
+    }
+    model = body.model;
+  }
+  return sum;
+}
+
 }  // namespace
 
 space::Pose calc_pose_in_hub(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
@@ -61,46 +109,37 @@ space::Pose calc_rest_pose(const Subsystem<Space>& subsystem, int body) noexcept
 
 MarkerMotion calc_marker_motion(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
                                 const PlacedMarker<Space>& marker) noexcept {
-  const auto j = static_cast<std::size_t>(marker.body);
-  const HubState<Space>& hub = *data.hub;
-  const space::Twist& twist = data.twists[j];
-  const space::HandleMotion section = motion_at(data.bodies[j], marker.section);
-  const space::Pose X_HB = calc_pose_in_hub(subsystem, data, marker.body);
-  const space::Rotation R = hub.R * X_HB.R;
-  const space::Twist velocity = section.carry(twist) + section.twist();
-  MarkerMotion motion;
-  motion.position = hub.p + hub.R * place_in_hub(X_HB, section);
-  motion.rotation = (R * section.turn.R * marker.section.axes).axes;
-  motion.velocity = R * space::Position(linear(velocity));
-  motion.angular_velocity = R * space::Angular(angular(velocity));
-  return motion;
+  return calc_motion_on(calc_pose_in_hub(subsystem, data, marker.body), data, marker);
 }
 
 MarkerMotion calc_load_motion(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
                               const PlacedMarker<Space>& marker) noexcept {
-  MarkerMotion motion = calc_marker_motion(subsystem, data, marker);
-  space::Position place = space::Position::Zero(), rate = space::Position::Zero();
-  Eigen::Matrix3d pass = Eigen::Matrix3d::Identity();
-  int handle = -1;  // handle by which the path leaves a body; -1: the marker is on it
-  for (int j = marker.body; j >= 0;) {
-    const BodyData<Space>& body = data.bodies[static_cast<std::size_t>(j)];
-    const TreeBody<Space>& model = *body.model;
-    if (model.stiffening) {
-      const double *q = body.coordinates.q, *v = body.coordinates.v;
-      const space::DrawnInward drawn = handle < 0 ? calc_section_drawn(body, marker.section, q, v)
-                                                  : calc_handle_drawn(body, handle, q, v);
-      place += pass * (model.stiffening->R_HB * drawn.place);
-      rate += pass * (model.stiffening->R_HB * drawn.rate);
-    }
-    if (const auto& slide = model.joint.slide)  // the body does not follow those inboard along it
-      pass -= (pass * slide->axis) * slide->axis.transpose();
-    handle = model.handle;
-    j = model.parent;
-  }
-  const HubState<Space>& hub = *data.hub;
-  motion.position += hub.R * place;
-  motion.velocity += hub.R * space::Position(rate + cross(angular(hub.twist), place));
+  MarkerMotion motion;
+  calc_load_motions(subsystem, data, {&marker, 1}, {&motion, 1});
   return motion;
+}
+
+void calc_load_motions(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
+                       std::span<const PlacedMarker<Space>> markers,
+                       std::span<MarkerMotion> motions) noexcept {
+  assert(motions.size() == markers.size());
+  space::Pose X_HB;
+  space::DrawnInward inboard;
+  for (std::size_t k = 0; k < markers.size(); ++k) {
+    const PlacedMarker<Space>& marker = markers[k];
+    if (k == 0 || marker.body != markers[k - 1].body) {
+      X_HB = calc_pose_in_hub(subsystem, data, marker.body);
+      inboard = calc_drawn_inboard(data, marker.body);
+    }
+    motions[k] = calc_motion_on(X_HB, data, marker);
+    space::DrawnInward drawn = calc_drawn_on(data, marker);
+    drawn.place += inboard.place;
+    drawn.rate += inboard.rate;
+    const HubState<Space>& hub = *data.hub;
+    motions[k].position += hub.R * drawn.place;
+    motions[k].velocity +=
+        hub.R * space::Position(drawn.rate + cross(angular(hub.twist), drawn.place));
+  }
 }
 
 space::Twist calc_marker_acceleration(const space::Position& gravity,

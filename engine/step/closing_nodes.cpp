@@ -113,7 +113,7 @@ void add_finish(const Assembly<World>& g) {
     const SubsystemParts& own = parts.subsystems[i];
     if (!own.loops.is_empty) reports.push_back(own.loops.report);
     if (!c.data.subsystems[i].air) continue;
-    reports.push_back(own.air);
+    reports.push_back(own.air_reached);
     outputs.push_back(own.air_states);
   }
   if (is_corrected) outputs.push_back(parts.hub_state);
@@ -147,7 +147,7 @@ void add_subsystem_finish(const Assembly<World>& g, int i) {
   PartList reports, states;
   if (!own.loops.is_empty) reports.push_back(own.loops.report);
   if (data.air) {
-    reports.push_back(own.air);
+    reports.push_back(own.air_reached);
     states.push_back(own.air_states);
   }
   g.builder.add_node(g.label(stages::kFinish, i),

@@ -238,13 +238,15 @@ void add_air(const Assembly<World>& g, int i) {
   const SubsystemParts& own = g.subsystem(i);
   const double h = step_size(c.integrator);
   g.builder.add_node(
-      g.label(stages::kAir, i), reads(marker_inputs(g, {i}, data.air->markers), own.air_states),
-      writes(own.air), unless_halted(*data.progress, [&c, &data, i, h]() noexcept {
+      g.label(stages::kAir, i),
+      reads(marker_inputs(g, {i}, data.air->markers), own.air_states, own.air_reached),
+      writes(own.air, own.air_reached), unless_halted(*data.progress, [&c, &data, i, h]() noexcept {
         const StepProgress& progress = *data.progress;
         const bool is_between = progress.control.is_between_steps();
         const double begin = static_cast<double>(progress.step - (is_between ? 0 : 1)) * h;
         const double t = progress.control.time;
-        evaluate_air(t, std::max(0.0, t - begin), c.system, static_cast<std::size_t>(i), data);
+        evaluate_air(t, std::max(0.0, t - begin), progress.control.continues_iteration(), c.system,
+                     static_cast<std::size_t>(i), data);
       }));
 }
 

@@ -225,10 +225,11 @@ SubsystemParts add_subsystem_parts(SystemContext<World>& context, int i,
                                            {bytes_of(load.wrenches[0], load.wrenches.size())}));
   if (data.air) {
     AirData<World>& air = *data.air;
-    parts.air = builder.add_part(name + "air",
-                                 {bytes_of(air.wrenches[0], air.wrenches.size()),
-                                  bytes_of(air.stations[0], air.stations.size()),
-                                  bytes_of(air.reached[0], air.reached.size()), bytes_of(air.sum)});
+    parts.air = builder.add_part(
+        name + "air", {bytes_of(air.wrenches[0], air.wrenches.size()),
+                       bytes_of(air.stations[0], air.stations.size()), bytes_of(air.sum)});
+    parts.air_reached = builder.add_part(name + "air states reached",
+                                         {bytes_of(air.reached[0], air.reached.size())});
     parts.air_states =
         builder.add_part(name + "air states", {bytes_of(air.states[0], air.states.size())});
   }

@@ -37,6 +37,8 @@ struct PassControl {
   bool is_between_steps() const { return stage < 0; }
   /// Whether it is the first implicit one of a step, or one that belongs to none.
   bool begins_iteration() const { return is_implicit && stage <= 0; }
+  /// Whether it is an implicit one of a step, but not the first.
+  bool continues_iteration() const { return is_implicit && stage > 0; }
 };
 
 /// How a step ended.

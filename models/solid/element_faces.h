@@ -12,7 +12,7 @@ namespace spoke::solid {
 
 /// A face of an element by its corners.
 struct ElementFace {
-  std::array<int, 4> corners;  ///< ascending; of a triangle the last is -1
+  std::array<int, 4> corners;  ///< ascending; of a triangle the first is -1
   int element;
   int side;  ///< from 0, in the order of faces_of()
 

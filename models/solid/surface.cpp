@@ -66,9 +66,8 @@ std::vector<ElementFace> sort_faces(const spatial::SolidMesh& mesh) {
     int side = 0;
     for (const SolidFace& face : faces_of(mesh.elements[e])) {
       ElementFace made{{-1, -1, -1, -1}, static_cast<int>(e), side++};
-      const int corners = count_corners(face);
-      std::copy_n(face.nodes.begin(), corners, made.corners.begin());
-      std::sort(made.corners.begin(), made.corners.begin() + corners);
+      std::copy_n(face.nodes.begin(), count_corners(face), made.corners.begin());
+      std::sort(made.corners.begin(), made.corners.end());
       faces.push_back(made);
     }
   }

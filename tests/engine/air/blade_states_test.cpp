@@ -101,7 +101,7 @@ TEST_CASE("blade_states: no time leaves induced velocity and separation as they 
   }
 }
 
-TEST_CASE("blade_states: induced velocity can be frozen under all options") {
+TEST_CASE("blade_states: induced velocity can be held under all options") {
   for (const auto inflow : {kLag, kAtOnce}) {
     const air::BladeAir blade = make(plate_air(inflow, spatial::Stall::steady));
     AirRun run(blade);

@@ -36,12 +36,12 @@ std::vector<MarkerMotion> move_blade(const BladePlace& place, const std::vector<
 AirRun::AirRun(const air::BladeAir& made)
     : blade(made), state(made.state_size()), loads(made.count()), seen(made.count()) {}
 
-void AirRun::go(const BladePlace& place, const Vector3d& wind, double elapsed, bool frozen) {
+void AirRun::go(const BladePlace& place, const Vector3d& wind, double elapsed, bool held) {
   const air::RotorPlace rotor{Vector3d::Zero(), Vector3d::UnitX(), Vector3d::Zero(), place.speed,
                               wind};
   const std::vector<Vector3d> winds(blade.count(), wind);
   blade.evaluate(rotor, move_blade(place, blade.stations()), winds, elapsed, state.data(),
-                 state.data(), loads, seen, frozen);
+                 state.data(), loads, seen, held);
 }
 
 Vector3d AirRun::force() const {
