@@ -76,6 +76,7 @@ struct Air {
   Induction induction = Induction::momentum;
   Inflow inflow = Inflow::dynamic;
   Stall stall = Stall::dynamic;
+  double inflow_factor = 1.0;  ///< axial induced velocity by that of momentum theory, 1 to 2
   std::vector<Airfoil> airfoils;
 };
 

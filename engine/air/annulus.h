@@ -17,6 +17,7 @@ struct Annulus {
   double tip;       ///< Prandtl's exponent times |sin(flow angle)|: B (R - r) / (2 r); infinite:
                     ///< no loss
   double root;      ///< likewise: B (r - R_hub) / (2 R_hub)
+  double inflow_factor = 1.0;  ///< induced velocity by that of momentum theory
 };
 
 /// Flow against a section that the rotor does not disturb, in the section's plane [m/s].
@@ -93,8 +94,9 @@ class AnnulusBalance {
     const double flow_sine = sine_ * cosine - cosine_ * sine;
     const double flow_cosine = cosine_ * cosine + sine_ * sine;
     const double loss = calc_loss_factor(annulus_, flow_sine);
-    const double mass_flow = calc_mass_flow(sine_, in_plane_, sine * flow_cosine, loss);
-    return mass_flow * sine - annulus_.solidity * cosine * cosine * lift_(angle_ - b);
+    const double by_momentum = sine / annulus_.inflow_factor;
+    const double mass_flow = calc_mass_flow(sine_, in_plane_, by_momentum * flow_cosine, loss);
+    return mass_flow * by_momentum - annulus_.solidity * cosine * cosine * lift_(angle_ - b);
   }
   /// Returns the size of an angle b at which the balance may be zero, for a lift curve of slope
   /// 2 pi and a mass flow that grows by 4 F times the induced velocity.

@@ -102,7 +102,7 @@ InducedFlow BladeAir::solve_momentum(const Point& point) const noexcept {
   const Station& station = point.station;
   const double radius = std::max(point.axes.radius, least_radius * radius_);
   const Annulus annulus{blades_ * station.chord / (2.0 * std::numbers::pi * radius), station.tip,
-                        station.root};
+                        station.root, inflow_factor_};
   const double pitch = std::atan2(point.axes.pitch_sine, point.axes.pitch_cosine) + point.turning;
   return solve_annulus(annulus, point.flow, [&](double angle) {
     return station.polar.lift(point.level, angle + pitch);

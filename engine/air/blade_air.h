@@ -120,6 +120,7 @@ class SPOKE_EXPORT BladeAir {
   double density_, viscosity_;
   double radius_;  // of the tip [m]
   int blades_;
+  double inflow_factor_;
   double side_;  // 1, or -1 where leading edges look towards -y
   bool induces_, lags_inflow_, lags_stall_;
 };

@@ -51,6 +51,7 @@ BladeAir::BladeAir(const BladeAerodynamics& blade, const Air& air, int blades, d
       viscosity_(air.viscosity),
       radius_(hub_radius + std::max(blade.station.back(), places_.back())),
       blades_(blades),
+      inflow_factor_(air.inflow_factor),
       side_(blade.leads_backward ? -1.0 : 1.0),
       induces_(air.induction == spatial::Induction::momentum),
       lags_inflow_(air.inflow == spatial::Inflow::dynamic),

@@ -17,10 +17,6 @@ const BeamElement& element_of(const FlexibleBody& body, int e) {
   return body.beam[static_cast<std::size_t>(e)];
 }
 
-}  // namespace
-
-namespace {
-
 /// Returns K x for the matrix of Section::slopes.
 PlaneCoordinates multiply_slopes(const std::array<double, 6>& K, const PlaneCoordinates& x) {
   const Double2 r = x.rise, a = x.slope[0], b = x.slope[1];

@@ -9,6 +9,7 @@
 #include "engine/space/element_products.h"
 #include "models/space/rotation_vector.h"
 #include "models/support/gauss_rule.h"
+#include "models/support/simd.h"
 
 namespace spoke::space {
 namespace {
@@ -48,6 +49,16 @@ std::array<double, 6> integrate_slopes(double xi, double length) {
     std::size_t at = 0;
     for (int i = 0; i < 3; ++i)
       for (int j = i; j < 3; ++j) sums[at++] += weight * shape[i] * shape[j];
+  }
+  return sums;
+}
+
+/// Returns products of a shape with coordinates and with their rates, side by side.
+std::array<Double2, 3> multiply_pairs(const ElementShape& N, const double* x, const double* rate) {
+  std::array<Double2, 3> sums{};
+  for (int c = 0; c < 2 * kTwist; ++c) {
+    const Double2 pair{x[c], rate[c]};
+    for (int i = 0; i < 3; ++i) sums[static_cast<std::size_t>(i)] += N(i, c) * pair;
   }
   return sums;
 }
@@ -126,8 +137,10 @@ Section make_node_section(const Solid& body, int node) {
 HandleMotion calc_section_motion(const FlexibleBody& body, const Section& section, const double* q,
                                  const double* v) noexcept {
   const ElementCoordinates x(body, section.element, q), rate(body, section.element, v);
-  return {section.s0 + x.times(section.N), rate.times(section.N),
-          calc_rotation_vector_motion(x.times(section.N_th), rate.times(section.N_th))};
+  const auto [u1, u2, u3] = multiply_pairs(section.N, x.values, rate.values);
+  const auto [th1, th2, th3] = multiply_pairs(section.N_th, x.values, rate.values);
+  return {section.s0 + Position(u1[0], u2[0], u3[0]), Position(u1[1], u2[1], u3[1]),
+          calc_rotation_vector_motion({th1[0], th2[0], th3[0]}, {th1[1], th2[1], th3[1]})};
 }
 
 Twist calc_section_acceleration(const FlexibleBody& body, const Section& section,

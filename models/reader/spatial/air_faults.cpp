@@ -79,6 +79,9 @@ Fault find_fault(const Air& air, const Model& model) {
   visit_fields(air, [&](std::string_view key, double value, const Quantity& quantity, Presence) {
     first("air." + std::string(key), value, quantity);
   });
+  visit_inflow(air, [&](std::string_view key, double value, const Quantity& quantity, Presence) {
+    first("aerodynamics." + std::string(key), value, quantity);
+  });
   first.add(find_fault(air.wind).within("wind"));
   std::vector<std::string_view> names;
   for (std::size_t k = 0; k < air.airfoils.size(); ++k) {

@@ -41,9 +41,11 @@ void add_air(const Air& air, Json& json) {
   visit_fields(air, FieldWriter{medium});
   json.set("air", std::move(medium));
   json.set("wind", wind_to_json(air.wind));
-  json.set("aerodynamics", {{"induction", name_of(air.induction)},
-                            {"inflow", name_of(air.inflow)},
-                            {"stall", name_of(air.stall)}});
+  Json aerodynamics = {{"induction", name_of(air.induction)},
+                       {"inflow", name_of(air.inflow)},
+                       {"stall", name_of(air.stall)}};
+  visit_inflow(air, FieldWriter{aerodynamics});
+  json.set("aerodynamics", std::move(aerodynamics));
   for (const Airfoil& airfoil : air.airfoils) {
     Json table = {{"name", airfoil.name}};
     for (const Polar& polar : airfoil.polars) table.append("polar", to_json(polar));

@@ -144,10 +144,12 @@ std::optional<Air> read_air(const TomlSection& root, const std::string& folder,
   Air air;
   visit_fields(air, FieldReader{root.section("air", {"density", "viscosity"})});
   if (root.has("wind")) air.wind = read_wind(root.section("wind", wind_keys()), folder);
-  const TomlSection section = root.section("aerodynamics", {"induction", "inflow", "stall"});
+  const TomlSection section =
+      root.section("aerodynamics", {"induction", "inflow", "inflow_factor", "stall"});
   air.induction =
       section.choice("induction", {Induction::momentum, Induction::none}, air.induction);
   air.inflow = section.choice("inflow", {Inflow::dynamic, Inflow::quasi_steady}, air.inflow);
+  visit_inflow(air, FieldReader{section});
   air.stall = section.choice("stall", {Stall::dynamic, Stall::steady}, air.stall);
   for (const TomlSection& table : root.sections(
            "airfoil", {"name", "file", "polar", "reynolds", "angle", "lift", "drag", "moment"}))

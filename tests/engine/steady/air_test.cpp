@@ -199,14 +199,16 @@ namespace {
 /// Returns C_T of an untwisted rotor in hover by blade-element momentum theory, by the speed of the
 /// tip: its inflow in closed form (Leishman, Principles of Helicopter Aerodynamics, 2006, section
 /// 3.3) with Prandtl's loss at the tip. From `cut` times the radius on.
-double hover_thrust(double solidity, double slope, double pitch, int blades, double cut) {
+double hover_thrust(double solidity, double slope, double pitch, int blades, double cut,
+                    double factor) {
   constexpr int kParts = 2000;
   double sum = 0.0;
   for (int k = 0; k < kParts; ++k) {
     const double r = cut + (1.0 - cut) * (k + 0.5) / kParts, share = solidity * slope;
     double loss = 1.0, inflow = 0.0;
     for (int n = 0; n < 100; ++n) {
-      inflow = share / (16.0 * loss) * (std::sqrt(1.0 + 32.0 * loss * pitch * r / share) - 1.0);
+      const double flow = 16.0 * loss / (factor * factor * share);
+      inflow = (std::sqrt(1.0 + 2.0 * flow * pitch * r) - 1.0) / flow;
       const double f = 0.5 * blades * (1.0 - r) / inflow;
       loss = 2.0 / std::numbers::pi * std::acos(std::exp(-f));
     }
@@ -220,6 +222,7 @@ double hover_thrust(double solidity, double slope, double pitch, int blades, dou
 TEST_CASE("the rotor of Caradonna and Tung hovers as blade-element momentum theory has it") {
   // NASA TM-81232 (1981): two untwisted blades of NACA 0012 at 8 degrees, 1250 rpm. The measured
   // C_T is 0.0046: momentum theory by annuli does not know how the wake contracts below the tips.
+  // An inflow factor that is usual for hover stands for it.
   constexpr double kTip = 1.143, kSize = 0.1905, kTurn = 130.9, kPitch = 0.1396263;
   std::ostringstream text;
   text << "world = \"space\"\n[hub]\nmass = 10.0\ninertia = 2.0\n[hub.drive]\nkind = \"constant\"\n"
@@ -231,10 +234,15 @@ TEST_CASE("the rotor of Caradonna and Tung hovers as blade-element momentum theo
           "name = \"naca0012\"\nangle = [-3.141592653589793, -0.22, 0.22, 3.141592653589793]\n"
           "lift = [0.0, -1.26, 1.26, 0.0]\ndrag = [0.02, 0.01, 0.01, 0.02]\n[air]\n[aerodynamics]\n"
           "stall = \"static\"\n[integration]\nduration = 1.0\n";
-  const EquilibriumResult result = solve_equilibrium(parse_scenario(text.str(), "rotor.toml"));
+  Scenario scenario = parse_scenario(text.str(), "rotor.toml");
   const double area = std::numbers::pi * kTip * kTip, tip = kTurn * kTip;
   // 3 %: losses at the root and the turn of lift by induced flow are in the engine alone.
-  const double theory =
-      hover_thrust(2.0 * kSize / (std::numbers::pi * kTip), 1.26 / 0.22, kPitch, 2, kSize / kTip);
-  CHECK(result.air->thrust / (1.225 * area * tip * tip) == approx(theory).epsilon(0.03));
+  for (const double factor : {1.0, 1.15}) {
+    scenario.space->air->inflow_factor = factor;
+    const double thrust = solve_equilibrium(scenario).air->thrust / (1.225 * area * tip * tip);
+    const double theory = hover_thrust(2.0 * kSize / (std::numbers::pi * kTip), 1.26 / 0.22, kPitch,
+                                       2, kSize / kTip, factor);
+    CHECK(thrust == approx(theory).epsilon(0.03));
+    if (factor > 1.0) CHECK(thrust == approx(0.0046).epsilon(0.05));
+  }
 }

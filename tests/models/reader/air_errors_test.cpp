@@ -185,6 +185,8 @@ TEST_CASE("air that cannot be is refused") {
           {"inflow = \"dynamic\"", "inflow = \"steady\"",
            "f.toml:48:10: aerodynamics.inflow: is \"steady\", expected \"dynamic\" or "
            "\"quasi_steady\""},
+          {"inflow = \"dynamic\"", "inflow_factor = 0.9",
+           "f.toml:48:17: aerodynamics.inflow_factor: is 0.9, expected a number from 1 to 2"},
           {"stall = \"dynamic\"", "stall = \"quasi_steady\"",
            "f.toml:49:9: aerodynamics.stall: is \"quasi_steady\", expected \"dynamic\" or "
            "\"static\""},

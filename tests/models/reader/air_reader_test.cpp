@@ -57,6 +57,7 @@ TEST_CASE("what is left out of air has its documented values") {
   CHECK(model.air->induction == spatial::Induction::momentum);
   CHECK(model.air->inflow == spatial::Inflow::dynamic);
   CHECK(model.air->stall == spatial::Stall::dynamic);
+  CHECK(model.air->inflow_factor == 1.0);
   CHECK(model.air->wind.velocity.isZero(0.0));
   CHECK(model.blades[0].aerodynamics->twist.empty());
   CHECK(model.blades[0].aerodynamics->chord == std::vector<double>(3, 0.5));
