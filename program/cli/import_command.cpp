@@ -4,7 +4,11 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <deque>
+#include <filesystem>
+
 #include "engine/output_file.h"
+#include "models/error.h"
 #include "models/text_file.h"
 #include "program/cli/report.h"
 #include "program/foreign/import_files.h"
@@ -12,7 +16,10 @@
 namespace spoke::cli {
 namespace {
 
-constexpr const char* kKind = "a file of BeamDyn or ElastoDyn, or an ontology of WindIO (YAML)";
+namespace fs = std::filesystem;
+
+constexpr const char* kKind =
+    "a file of BeamDyn, ElastoDyn or AeroDyn, or an ontology of WindIO (YAML)";
 
 void print_lines(const char* label, const std::vector<std::string>& texts) {
   for (std::size_t i = 0; i < texts.size(); ++i) print_line(i == 0 ? label : "", texts[i]);
@@ -30,6 +37,48 @@ void print_model(const spatial::Model& model) {
     for (const spatial::Body& body : subsystem.bodies)
       if (const auto* beam = std::get_if<spatial::Beam>(&body.shape))
         print_line(body.name, describe_beam(*beam));
+  if (!model.blades.empty() && model.blades.front().aerodynamics)
+    print_line("aerodynamics", fmt::format("{} stations, {} aerofoils",
+                                           model.blades.front().aerodynamics->station.size(),
+                                           model.air->airfoils.size()));
+}
+
+/// A folder that is made if it is not there, and removed again unless it is kept.
+class NewFolder {
+ public:
+  explicit NewFolder(fs::path folder) : folder_(std::move(folder)) {
+    std::error_code error;
+    is_new_ = fs::create_directory(folder_, error);
+    if (!fs::is_directory(folder_))
+      throw InputError(folder_.string() +
+                       ": cannot be made, expected a folder for the tables of the aerofoils");
+  }
+  ~NewFolder() {
+    std::error_code ignored;
+    if (is_new_) fs::remove(folder_, ignored);
+  }
+  NewFolder(const NewFolder&) = delete;
+  NewFolder& operator=(const NewFolder&) = delete;
+  void keep() { is_new_ = false; }
+
+ private:
+  fs::path folder_;
+  bool is_new_ = false;
+};
+
+/// Writes the scenario and its tables; all of them lie beside their places before the first takes
+/// its own.
+void write_files(const std::string& out, const foreign::Imported& imported,
+                 const std::string& tables) {
+  const fs::path folder = fs::path(out).parent_path();
+  std::optional<NewFolder> made;
+  if (!imported.tables.empty()) made.emplace(folder / tables);
+  std::deque<ReplacedFile> files;
+  for (const foreign::SourceFile& table : imported.tables)
+    files.emplace_back((folder / table.name).string()).append(table.text);
+  files.emplace_back(out).append(imported.text);
+  if (made) made->keep();
+  for (ReplacedFile& file : files) file.commit(Outlives::process);
 }
 
 }  // namespace
@@ -37,15 +86,20 @@ void print_model(const spatial::Model& model) {
 int import_scenario(const Arguments& arguments, const ImportArguments& own) {
   std::vector<foreign::SourceFile> files;
   for (const std::string& file : own.files) files.push_back({file, read_text(file, kKind)});
+  const std::string tables = fs::path(arguments.out).stem().string() + "_airfoils";
   const foreign::Imported imported =
       foreign::import_files(files, [](const std::string& name) { return read_text(name, kKind); },
-                            {own.length, own.height});
-  replace_file(arguments.out, imported.text);
+                            {own.length, own.height, tables});
+  write_files(arguments.out, imported, tables);
   print_title(imported.scenario.title);
   print_lines("read", imported.sources);
   print_model(*imported.scenario.space);
   print_lines("left out", imported.left_out);
-  print_line("written", arguments.out);
+  print_line("written",
+             imported.tables.empty()
+                 ? arguments.out
+                 : fmt::format("{}, {} tables in {}", arguments.out, imported.tables.size(),
+                               (fs::path(arguments.out).parent_path() / tables).string()));
   return 0;
 }
 

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "models/spatial_model.h"
+#include "program/foreign/found_air.h"
+#include "program/foreign/value.h"
 
 namespace spoke::foreign {
 
@@ -15,12 +17,6 @@ using spatial::SectionMatrix;
 
 /// The most stations that a table may have.
 inline constexpr int kMostStations = 100000;
-
-/// A number and where it came from: "HubRad, turbine.dat:46".
-struct Value {
-  double number = 0.0;
-  std::string from;
-};
 
 /// A beam by its stations. Arrays have a value for each station, or are empty.
 struct BeamTable {
@@ -67,6 +63,8 @@ struct FoundModel {
   bool has_rotor = false;                           ///< whether the axis is horizontal
   std::optional<Nacelle> nacelle;
   FoundDamping damping;
+  std::optional<FoundAir> air;
+  Value pitch;                        ///< of the blades about +x [rad]; used where there is air
   std::vector<std::string> left_out;  ///< what could not be carried over, a sentence each
 };
 

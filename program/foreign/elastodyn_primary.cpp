@@ -1,64 +1,18 @@
-// ElastoDyn's primary file: keys are looked for by name, since their order differs from version to
-// version.
+// ElastoDyn's primary file.
 
 #include <cmath>
 #include <numbers>
 
 #include "models/support/quantity.h"
 #include "program/foreign/elastodyn_reader.h"
-#include "program/foreign/input_lines.h"
 
 namespace spoke::foreign {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-class PrimaryReader {
- public:
-  explicit PrimaryReader(const SourceFile& source) : lines_(source.text, source.name) {}
-
-  InputLines& lines() { return lines_; }
-
-  Value number(std::string_view key) {
-    lines_.rewind();
-    lines_.seek(key);
-    Value value{lines_.take_number(key), {}};
-    value.from = std::string(key) + ", " + lines_.place();
-    return value;
-  }
-  Value at_least(std::string_view key, double least) {
-    Value value = number(key);
-    if (value.number < least)
-      lines_.refuse(std::string(key) + " is " + describe(value.number) + ", expected " +
-                    describe(least) + " or more");
-    return value;
-  }
-  Value positive(std::string_view key) {
-    Value value = number(key);
-    if (!(value.number > 0.0))
-      lines_.refuse(std::string(key) + " is " + describe(value.number) + ", expected more than 0");
-    return value;
-  }
-  /// A key that older versions spell otherwise, and that may be missing.
-  NamedFile file(std::string_view key, std::string_view other) {
-    lines_.rewind();
-    if (!lines_.has(key)) key = other;
-    if (!lines_.has(key)) return {};
-    NamedFile named{lines_.find_value(key), 0};
-    named.line = lines_.number();
-    return named;
-  }
-  bool has(std::string_view key) {
-    lines_.rewind();
-    return lines_.has(key);
-  }
-
- private:
-  InputLines lines_;
-};
-
 /// Returns a - b, which must be positive.
-Value subtract(PrimaryReader& reader, std::string_view key, std::string_view less) {
+Value subtract(KeyedLines& reader, std::string_view key, std::string_view less) {
   const Value b = reader.number(less), a = reader.number(key);
   if (!(a.number > b.number))
     reader.lines().refuse(std::string(key) + " is " + describe(a.number) + ", expected more than " +
@@ -66,10 +20,8 @@ Value subtract(PrimaryReader& reader, std::string_view key, std::string_view les
   return {a.number - b.number, std::string(key) + " - " + b.from};
 }
 
-void read_rotor(PrimaryReader& reader, FoundModel& model) {
-  reader.lines().rewind();
-  reader.lines().seek("NumBl");
-  model.blade_count.number = reader.lines().take_count("NumBl", 1, 1000);
+void read_rotor(KeyedLines& reader, FoundModel& model) {
+  model.blade_count.number = reader.count("NumBl", 1, 1000);
   model.blade_count.from = "NumBl, " + reader.lines().place();
   model.hub_radius = reader.at_least("HubRad", 0.0);
   model.precone = reader.number("PreCone(1)");
@@ -85,7 +37,7 @@ void read_rotor(PrimaryReader& reader, FoundModel& model) {
   model.has_rotor = true;
 }
 
-void read_nacelle(PrimaryReader& reader, FoundModel& model) {
+void read_nacelle(KeyedLines& reader, FoundModel& model) {
   Nacelle nacelle;
   nacelle.mass = reader.positive("NacMass");
   const Value x = reader.number("NacCMxn"), y = reader.number("NacCMyn"),
@@ -115,7 +67,7 @@ void read_nacelle(PrimaryReader& reader, FoundModel& model) {
 }  // namespace
 
 ElastoDynPrimary read_elastodyn_primary(const SourceFile& source, FoundModel& model) {
-  PrimaryReader reader(source);
+  KeyedLines reader(source);
   reader.lines().take("the first line of a primary file of ElastoDyn");
   model.title = printable(reader.lines().take("a title"));
   read_rotor(reader, model);
@@ -125,12 +77,18 @@ ElastoDynPrimary read_elastodyn_primary(const SourceFile& source, FoundModel& mo
   primary.tower_height = subtract(reader, "TowerHt", "TowerBsHt");
   if (reader.has("TipMass(1)")) primary.tip_mass = reader.at_least("TipMass(1)", 0.0);
   if (reader.has("YawBrMass")) primary.yaw_bearing_mass = reader.at_least("YawBrMass", 0.0);
+  const bool pitches = model.air && reader.has("BlPitch(1)");
+  if (pitches) {
+    model.pitch = reader.number("BlPitch(1)");
+    model.pitch.number *= -kDegree;
+  }
   primary.blade = reader.file("BldFile1", "BldFile(1)");
   primary.tower = reader.file("TwrFile", "TwrFile");
   model.left_out.push_back(
-      source.name +
-      ": switches of degrees of freedom, initial conditions, pitch, teeter, furling, platform, yaw "
-      "(the nacelle is fixed to the tower), drivetrain flexibility and outputs; blade 1 stands for "
+      source.name + ": switches of degrees of freedom, " +
+      (pitches ? "initial conditions but speed and pitch, " : "initial conditions, pitch, ") +
+      "teeter, furling, platform, yaw (the nacelle is fixed to the tower), drivetrain flexibility "
+      "and outputs; blade 1 stands for "
       "all; of the nacelle's inertia that about the yaw axis is taken for every axis, and the "
       "hub's "
       "about other axes is half of that about its own");

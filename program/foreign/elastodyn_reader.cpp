@@ -9,48 +9,10 @@
 #include "models/solid/mesh_text.h"
 #include "models/support/quantity.h"
 #include "program/foreign/input_lines.h"
+#include "program/foreign/named_table.h"
 
 namespace spoke::foreign {
 namespace {
-
-/// A table of numbers under a line with the names of its columns.
-struct NamedTable {
-  std::vector<std::string> names;
-  std::vector<std::vector<double>> rows;
-  std::vector<int> lines;
-
-  std::size_t find(std::string_view name) const {
-    std::size_t k = 0;
-    while (k < names.size() && !is_same_word(names[k], name)) ++k;
-    return k;
-  }
-  bool has(std::string_view name) const { return find(name) < names.size(); }
-  std::vector<double> column(std::string_view name) const {
-    const std::size_t k = find(name);
-    std::vector<double> values;
-    for (const auto& row : rows) values.push_back(row[k]);
-    return values;
-  }
-};
-
-/// Reads the heads, the units and so many rows.
-NamedTable read_table(InputLines& lines, int rows, std::span<const char* const> needed) {
-  NamedTable table;
-  for (const std::string_view word :
-       split_words(lines.take_filled("the heads of the table's columns")))
-    table.names.push_back(printable(word));
-  for (const char* name : needed)
-    if (!table.has(name))
-      lines.refuse("no column " + std::string(name) + ", expected " + std::string(needed[0]) +
-                   " and the others of the table");
-  lines.take_filled("the units of the table's columns");
-  for (int row = 1; row <= rows; ++row) {
-    table.rows.push_back(
-        lines.take_numbers(table.names.size(), "row " + std::to_string(row) + " of the table"));
-    table.lines.push_back(lines.number());
-  }
-  return table;
-}
 
 /// Requires shares that ascend from 0 to 1 in the first column that is needed.
 void check_shares(const NamedTable& table, const std::string& file, const char* name) {
@@ -185,7 +147,7 @@ void read_elastodyn_blade(const SourceFile& source, const Value& length, FoundMo
                edge = take_factor(lines, "AdjEdSt");
   lines.take_filled("the headline DISTRIBUTED BLADE PROPERTIES");
   constexpr const char* kColumns[] = {"BlFract", "StrcTwst", "BMassDen", "FlpStff", "EdgStff"};
-  const NamedTable table = read_table(lines, head.stations, kColumns);
+  const NamedTable table = read_named_table(lines, head.stations, kColumns);
   check_shares(table, source.name, "BlFract");
   BeamTable beam = make_beam(table, source.name, "BlFract", length);
   for (const double twist : table.column("StrcTwst"))
@@ -226,7 +188,7 @@ void read_elastodyn_tower(const SourceFile& source, const Value& height, FoundMo
                side = take_factor(lines, "AdjSSSt");
   lines.take_filled("the headline DISTRIBUTED TOWER PROPERTIES");
   constexpr const char* kColumns[] = {"HtFract", "TMassDen", "TwFAStif", "TwSSStif"};
-  const NamedTable table = read_table(lines, head.stations, kColumns);
+  const NamedTable table = read_named_table(lines, head.stations, kColumns);
   check_shares(table, source.name, "HtFract");
   BeamTable beam = make_beam(table, source.name, "HtFract", height);
   beam.mass_per_length = take_positive(table, source.name, "TMassDen", mass);

@@ -6,14 +6,9 @@
 
 #include "program/foreign/beam_table.h"
 #include "program/foreign/beamdyn_reader.h"
+#include "program/foreign/keyed_lines.h"
 
 namespace spoke::foreign {
-
-/// A file that another one names.
-struct NamedFile {
-  std::string name;  ///< as it is given, relative to the folder of the file that names it
-  int line = 0;      ///< where it is given
-};
 
 /// What a primary file says besides what goes to the model.
 struct ElastoDynPrimary {

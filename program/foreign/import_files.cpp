@@ -9,6 +9,8 @@
 
 #include "models/error.h"
 #include "models/solid/mesh_text.h"
+#include "program/foreign/aerodyn_reader.h"
+#include "program/foreign/air_writer.h"
 #include "program/foreign/elastodyn_reader.h"
 #include "program/foreign/input_lines.h"
 #include "program/foreign/scenario_writer.h"
@@ -23,13 +25,16 @@ enum Kind {
   elastodyn_primary,
   elastodyn_blade,
   elastodyn_tower,
+  aerodyn_primary,
+  aerodyn_blade,
   windio,
   kind_count
 };
 
 constexpr const char* kKindNames[kind_count] = {"BeamDyn, primary file",   "BeamDyn, blade file",
                                                 "ElastoDyn, primary file", "ElastoDyn, blade file",
-                                                "ElastoDyn, tower file",   "WindIO"};
+                                                "ElastoDyn, tower file",   "AeroDyn, primary file",
+                                                "AeroDyn, blade file",     "WindIO"};
 
 std::string in_capitals(std::string_view text) {
   std::string capitals(text);
@@ -47,10 +52,11 @@ Kind find_kind(const SourceFile& source) {
   if (says("BEAMDYN")) return says("BLADE") ? beamdyn_blade : beamdyn_primary;
   if (says("ELASTODYN"))
     return says("BLADE") ? elastodyn_blade : says("TOWER") ? elastodyn_tower : elastodyn_primary;
+  if (says("AERODYN")) return says("BLADE") ? aerodyn_blade : aerodyn_primary;
   refuse(source.name, 1,
          "found " + solid::show_text(solid::trim(line)) +
-             ", expected the first line of a file of OpenFAST that names BEAMDYN or ELASTODYN, and "
-             "INDIVIDUAL BLADE or TOWER unless it is a primary one; or a file .yaml");
+             ", expected the first line of a file of OpenFAST that names BEAMDYN, ELASTODYN or "
+             "AERODYN, and BLADE or TOWER unless it is a primary one; or a file .yaml");
 }
 
 /// The files by kind, those that others name as well.
@@ -70,27 +76,34 @@ class FoundFiles {
   bool has(Kind kind) const { return files_[kind].has_value(); }
   const SourceFile& get(Kind kind) const { return *files_[kind]; }
 
-  /// Reads a file that another one names, unless one of its kind is there.
-  void add_named(Kind kind, Kind by, const std::string& name, int line) {
-    if (has(kind)) return;
+  /// Returns a file that another one names, which says `what` it should be.
+  SourceFile read_named(Kind by, const NamedFile& named, const std::string& what) const {
     namespace fs = std::filesystem;
     const SourceFile& source = get(by);
     const auto is_control = [](unsigned char c) { return c < ' '; };
-    if (name.empty() || std::any_of(name.begin(), name.end(), is_control))
-      refuse(source.name, line,
-             "names no file, expected one of the kind \"" + std::string(kKindNames[kind]) + '"');
-    const std::string path = (fs::path(source.name).parent_path() / name).lexically_normal();
-    SourceFile named{path, {}};
+    if (named.name.empty() || std::any_of(named.name.begin(), named.name.end(), is_control))
+      refuse(source.name, named.line, "names no file, expected " + what);
+    SourceFile file{(fs::path(source.name).parent_path() / named.name).lexically_normal(), {}};
     try {
-      named.text = read_(path);
+      file.text = read_(file.name);
     } catch (const InputError& error) {
-      refuse(source.name, line, "names a file that cannot be read: " + std::string(error.what()));
+      refuse(source.name, named.line,
+             "names a file that cannot be read: " + std::string(error.what()));
     }
-    if (const Kind is = find_kind(named); is != kind)
-      refuse(path, 1,
+    return file;
+  }
+
+  /// Reads a file that another one names, unless one of its kind is there.
+  void add_named(Kind kind, Kind by, const NamedFile& named) {
+    if (has(kind)) return;
+    SourceFile file =
+        read_named(by, named, "one of the kind \"" + std::string(kKindNames[kind]) + '"');
+    if (const Kind is = find_kind(file); is != kind)
+      refuse(file.name, 1,
              std::string("is of the kind \"") + kKindNames[is] + "\", expected \"" +
-                 kKindNames[kind] + "\", as which " + place(source.name, line) + " names it");
-    files_[kind] = named;
+                 kKindNames[kind] + "\", as which " + place(get(by).name, named.line) +
+                 " names it");
+    files_[kind] = std::move(file);
   }
 
  private:
@@ -105,7 +118,7 @@ void note_source(const SourceFile& source, Kind kind, FoundModel& model) {
 void read_beamdyn(FoundFiles& files, FoundModel& model) {
   const SourceFile& source = files.get(beamdyn_primary);
   const BeamDynPrimary primary = read_beamdyn_primary(source);
-  files.add_named(beamdyn_blade, beamdyn_primary, primary.blade_file, primary.blade_file_line);
+  files.add_named(beamdyn_blade, beamdyn_primary, {primary.blade_file, primary.blade_file_line});
   const SourceFile& blade_source = files.get(beamdyn_blade);
   const BeamDynBlade blade = read_beamdyn_blade(blade_source);
   const BladeAxis axis(primary.points);
@@ -154,9 +167,8 @@ void read_elastodyn(FoundFiles& files, const ImportOptions& options, FoundModel&
     const SourceFile& source = files.get(elastodyn_primary);
     primary = read_elastodyn_primary(source, model);
     note_source(source, elastodyn_primary, model);
-    if (!model.blade)
-      files.add_named(elastodyn_blade, elastodyn_primary, primary.blade.name, primary.blade.line);
-    files.add_named(elastodyn_tower, elastodyn_primary, primary.tower.name, primary.tower.line);
+    if (!model.blade) files.add_named(elastodyn_blade, elastodyn_primary, primary.blade);
+    files.add_named(elastodyn_tower, elastodyn_primary, primary.tower);
   }
   if (files.has(elastodyn_blade))
     read_by_length(files, elastodyn_blade, primary.blade_length, options.blade_length, "--length",
@@ -166,6 +178,42 @@ void read_elastodyn(FoundFiles& files, const ImportOptions& options, FoundModel&
   read_by_length(files, elastodyn_tower, primary.tower_height, options.tower_height, "--height",
                  model, read_elastodyn_tower);
   model.tower->tip_mass = primary.yaw_bearing_mass;
+}
+
+/// Reads the aerofoils that nodes of a blade use; returns their names, by BlAFID.
+std::vector<std::string> read_airfoils(const FoundFiles& files, const AeroDynPrimary& primary,
+                                       const std::vector<AeroDynNode>& nodes, FoundModel& model) {
+  std::vector<std::string> names(primary.airfoils.size());
+  int with_more = 0;
+  for (const AeroDynNode& node : nodes) {
+    std::string& name = names[node.airfoil];
+    if (!name.empty()) continue;
+    const SourceFile file =
+        files.read_named(aerodyn_primary, primary.airfoils[node.airfoil], "an aerofoil file");
+    std::vector<FoundAirfoil>& airfoils = model.air->airfoils;
+    name = choose_airfoil_name(std::filesystem::path(file.name).stem().string(), airfoils);
+    const AeroDynPolars read = read_aerodyn_polars(file, primary);
+    airfoils.push_back(make_airfoil(read.polars, name, file.name));
+    if (read.has_more) ++with_more;
+  }
+  if (with_more > 0)
+    model.left_out.push_back(files.get(aerodyn_primary).name + ": further tables of " +
+                             std::to_string(with_more) +
+                             " aerofoils, of which AFTabMod 1 uses the first");
+  return names;
+}
+
+void read_aerodyn(FoundFiles& files, FoundModel& model) {
+  const SourceFile& source = files.get(aerodyn_primary);
+  const AeroDynPrimary primary = read_aerodyn_primary(source, model);
+  files.add_named(aerodyn_blade, aerodyn_primary, primary.blade);
+  const SourceFile& blade = files.get(aerodyn_blade);
+  const auto nodes = read_aerodyn_blade(blade, primary.airfoils.size());
+  add_aerodyn_blade(nodes, blade.name, read_airfoils(files, primary, nodes, model), model);
+  note_source(source, aerodyn_primary, model);
+  note_source(blade, aerodyn_blade, model);
+  model.sources.push_back(std::to_string(model.air->airfoils.size()) +
+                          " aerofoil files that it names");
 }
 
 /// Refuses files that would go unused, or say the same twice.
@@ -184,10 +232,16 @@ void check_use(const FoundFiles& files) {
                  first->name);
     first = &files.get(kind);
   }
-  for (const Kind kind : {elastodyn_primary, elastodyn_tower})
+  if (files.has(aerodyn_blade) && !files.has(aerodyn_primary))
+    refuse(files.get(aerodyn_blade).name, 1,
+           "has no names of aerofoils, expected AeroDyn's primary file besides");
+  for (const Kind kind : {elastodyn_primary, elastodyn_tower, aerodyn_primary})
     if (files.has(windio) && files.has(kind))
       refuse(files.get(kind).name, 1,
              "given along with " + files.get(windio).name + ", expected an ontology by itself");
+  if (files.has(aerodyn_primary) && !first && !files.has(elastodyn_primary))
+    refuse(files.get(aerodyn_primary).name, 1,
+           "has no structure of the blades, expected files of BeamDyn or ElastoDyn besides");
 }
 
 Scenario check_scenario(const std::string& text, const std::string& file) {
@@ -205,15 +259,23 @@ Imported import_files(const std::vector<SourceFile>& files, const ReadFile& read
   FoundFiles found(files, read);
   check_use(found);
   FoundModel model;
+  if (found.has(aerodyn_primary)) model.air.emplace();
   if (found.has(beamdyn_primary)) read_beamdyn(found, model);
   if (found.has(windio)) {
     read_windio(found.get(windio), model);
     note_source(found.get(windio), windio, model);
   }
   read_elastodyn(found, options, model);
+  if (found.has(aerodyn_primary)) read_aerodyn(found, model);
   Imported imported;
-  imported.text = write_scenario(model);
-  imported.scenario = check_scenario(imported.text, files.front().name);
+  imported.text = write_scenario(model, options.airfoil_folder);
+  // Its tables are not there yet.
+  const std::string whole = model.air ? write_scenario(model) : imported.text;
+  imported.scenario = check_scenario(whole, files.front().name);
+  if (model.air)
+    for (const FoundAirfoil& airfoil : model.air->airfoils)
+      imported.tables.push_back(
+          {airfoil_path(options.airfoil_folder, airfoil.airfoil.name), airfoil.table});
   imported.sources = model.sources;
   imported.left_out = model.left_out;
   return imported;

@@ -16,6 +16,8 @@ namespace spoke::foreign {
 struct ImportOptions {
   std::optional<double> blade_length;  ///< of an ElastoDyn blade without its primary file [m]
   std::optional<double> tower_height;  ///< likewise of a tower [m]
+  /// Folder of the aerofoils' tables, relative to that of the scenario.
+  std::string airfoil_folder = "airfoils";
 };
 
 /// Returns the text of a file that another one names. Throws InputError.
@@ -24,6 +26,7 @@ using ReadFile = std::function<std::string(const std::string& name)>;
 /// A scenario made of files, and how.
 struct Imported {
   std::string text;                   ///< the scenario (TOML)
+  std::vector<SourceFile> tables;     ///< files that it names, relative to its folder
   Scenario scenario;                  ///< what it says, checked
   std::vector<std::string> sources;   ///< files that were read, and what they are
   std::vector<std::string> left_out;  ///< what could not be carried over, a sentence each

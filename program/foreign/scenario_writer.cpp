@@ -1,70 +1,15 @@
-// Tables in the order of docs/scenario.md. Numbers are written so that reading them gives the same
-// bits.
+// Tables in the order of docs/scenario.md.
 
 #include "program/foreign/scenario_writer.h"
 
-#include <spdlog/fmt/fmt.h>
-
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
-#include "program/foreign/input_lines.h"
+#include "program/foreign/air_writer.h"
+#include "program/foreign/toml_text.h"
 
 namespace spoke::foreign {
 namespace {
-
-/// Returns the shortest digits that give the same number. What scenarios refuse as too small is 0.
-std::string digits(double number) {
-  constexpr double least = 1e-40;
-  return std::abs(number) < least ? "0" : fmt::format("{}", number);
-}
-
-std::string digits(const std::vector<double>& numbers) {
-  std::string text;
-  for (const double number : numbers) text += (text.empty() ? "" : ", ") + digits(number);
-  return '[' + text + ']';
-}
-
-std::string digits(const Eigen::Vector3d& v) {
-  return digits(std::vector<double>{v.x(), v.y(), v.z()});
-}
-
-std::string quoted(const std::string& text) {
-  std::string all;
-  for (const char c : printable(text)) {
-    if (c == '"' || c == '\\') all += '\\';
-    all += c;
-  }
-  return '"' + all + '"';
-}
-
-/// A TOML text that grows.
-class Toml {
- public:
-  void comment(const std::string& text) { text_ += "# " + printable(text) + '\n'; }
-  void table(const std::string& head) { text_ += '\n' + head + '\n'; }
-  void key(const std::string& name, const std::string& value, const std::string& from = {}) {
-    text_ += name + " = " + value;
-    if (!from.empty()) text_ += "   # " + printable(from);
-    text_ += '\n';
-  }
-  /// An array, a value in a line of its own.
-  void lines(const std::string& name, const std::vector<std::string>& values,
-             const std::vector<std::string>& comments) {
-    text_ += name + " = [\n";
-    for (std::size_t i = 0; i < values.size(); ++i)
-      text_ += "  " + values[i] + ",   # " + printable(comments[i]) + '\n';
-    text_ += "]\n";
-  }
-  void numbers(const std::string& name, const std::vector<double>& values) {
-    if (!values.empty()) text_ += name + " = " + digits(values) + '\n';
-  }
-  std::string take() { return std::move(text_); }
-
- private:
-  std::string text_;
-};
 
 /// Returns the upper triangle row by row, as scenarios take it.
 std::string triangle(const SectionMatrix& matrix) {
@@ -130,6 +75,7 @@ void write_blade(const FoundModel& model, Toml& toml) {
   toml.table("[blade.sections]");
   write_sections(blade, toml);
   write_tip_mass(blade, "[[blade.point_mass]]", toml);
+  if (model.air) write_blade_air(*model.air, model.pitch, toml);
 }
 
 void write_hub(const FoundModel& model, Toml& toml) {
@@ -215,7 +161,7 @@ void write_damping(const FoundDamping& damping, Toml& toml) {
 
 }  // namespace
 
-std::string write_scenario(const FoundModel& model) {
+std::string write_scenario(const FoundModel& model, const std::string& airfoil_folder) {
   Toml toml;
   toml.comment("Written by spoke import from");
   for (const std::string& source : model.sources) toml.comment("  " + source);
@@ -227,6 +173,8 @@ std::string write_scenario(const FoundModel& model) {
   write_hub(model, toml);
   if (model.tower) write_support(model, toml);
   if (model.blade) write_blade(model, toml);
+  if (model.air)
+    write_air(*model.air, airfoil_folder, model.has_rotor ? "[8, 0, 0]" : "[0, 0, 8]", toml);
   write_damping(model.damping, toml);
   toml.table("[integration]");
   toml.key("step", "0.01", "not in the files");

@@ -9,7 +9,8 @@
 namespace spoke::foreign {
 
 /// Returns the text of a scenario in space, with comments on where each value came from and on what
-/// was left out.
-std::string write_scenario(const FoundModel& model);
+/// was left out. Aerofoils are named as tables in `airfoil_folder`, relative to that of the
+/// scenario; if it is empty, their polars are in the text.
+std::string write_scenario(const FoundModel& model, const std::string& airfoil_folder = {});
 
 }  // namespace spoke::foreign

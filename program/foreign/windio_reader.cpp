@@ -3,137 +3,24 @@
 
 #include "program/foreign/windio_reader.h"
 
-#include <yaml-cpp/yaml.h>
-
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "models/solid/mesh_text.h"
 #include "models/support/quantity.h"
 #include "program/foreign/input_lines.h"
 #include "program/foreign/section_check.h"
+#include "program/foreign/windio_aerodynamics.h"
+#include "program/foreign/windio_entry.h"
 
 namespace spoke::foreign {
 namespace {
-
-/// A node of the file and its path of keys.
-class Entry {
- public:
-  Entry(const YAML::Node& node, const std::string& file, std::string path, int line)
-      : node_(node), file_(&file), path_(std::move(path)), line_(line) {}
-
-  int line() const { return line_; }
-  const std::string& path() const { return path_; }
-  std::string from() const { return path_ + ", " + place(*file_, line_); }
-  [[noreturn]] void refuse(const std::string& what) const {
-    foreign::refuse(*file_, line_, (path_.empty() ? "" : path_ + ": ") + what);
-  }
-
-  bool has(const std::string& key) const { return node_.IsMap() && find(key).IsDefined(); }
-  /// Returns the value of a key, which must be there.
-  Entry at(const std::string& key) const {
-    if (!node_.IsMap()) refuse("is no map, expected one with the key " + key);
-    const YAML::Node value = find(key);
-    const std::string path = path_.empty() ? key : path_ + '.' + key;
-    if (!value.IsDefined()) refuse("has no key " + key + ", expected " + path);
-    return {value, *file_, path, line_of(value)};
-  }
-  /// Returns the elements of an array.
-  std::vector<Entry> elements() const {
-    if (!node_.IsSequence() || node_.size() > std::size_t{kMostStations})
-      refuse("is no array, expected one of at most " + std::to_string(kMostStations) + " elements");
-    std::vector<Entry> all;
-    std::size_t number = 0;
-    for (const YAML::Node& element : node_)
-      all.emplace_back(element, *file_, path_ + '.' + std::to_string(++number), line_of(element));
-    return all;
-  }
-  double number() const {
-    constexpr double most = 1e30;  // as in scenarios
-    double value = 0.0;
-    const std::string text = node_.IsScalar() ? node_.Scalar() : "";
-    if (!node_.IsScalar() || !solid::read_number(text, value) || std::abs(value) > most)
-      refuse((node_.IsScalar() ? "is " + solid::show_text(text) : std::string("is no number")) +
-             ", expected a number of at most 1e30");
-    return value;
-  }
-  std::vector<double> numbers() const {
-    std::vector<double> values;
-    for (const Entry& element : elements()) values.push_back(element.number());
-    return values;
-  }
-  std::string text() const { return node_.IsScalar() ? printable(node_.Scalar()) : ""; }
-
- private:
-  YAML::Node find(const std::string& key) const { return std::as_const(node_)[key]; }
-  static int line_of(const YAML::Node& node) { return node.Mark().line + 1; }
-
-  YAML::Node node_;
-  const std::string* file_;
-  std::string path_;
-  int line_;
-};
-
-/// Values over a grid from 0 to 1, linear between.
-struct Course {
-  std::vector<double> grid, values;
-  double at(double place) const {
-    const auto above = std::upper_bound(grid.begin() + 1, grid.end() - 1, place);
-    const auto k = static_cast<std::size_t>(above - grid.begin());
-    const double t = (place - grid[k - 1]) / (grid[k] - grid[k - 1]);
-    if (t == 0.0) return values[k - 1];
-    if (t == 1.0) return values[k];
-    return (1.0 - t) * values[k - 1] + t * values[k];
-  }
-};
-
-std::vector<double> read_grid(const Entry& table) {
-  const Entry entry = table.at("grid");
-  std::vector<double> grid = entry.numbers();
-  constexpr double least_gap = 1e-9;
-  if (grid.size() < 2 || grid.front() != 0.0 || grid.back() != 1.0)
-    entry.refuse("expected two or more numbers, the first 0, the last 1");
-  for (std::size_t i = 1; i < grid.size(); ++i)
-    if (!(grid[i] > grid[i - 1] + least_gap))
-      entry.refuse("element " + std::to_string(i + 1) + " is " + describe(grid[i]) +
-                   ", expected more than the one before, " + describe(grid[i - 1]));
-  return grid;
-}
-
-template <class Values>
-void check_count(const Entry& entry, const Values& values, std::size_t count) {
-  if (values.size() != count)
-    entry.refuse("has " + std::to_string(values.size()) + " elements, expected " +
-                 std::to_string(count) + ", one for each of grid");
-}
-
-Course read_course(const Entry& table) {
-  Course course{read_grid(table), {}};
-  const Entry values = table.at("values");
-  course.values = values.numbers();
-  check_count(values, course.values, course.grid.size());
-  return course;
-}
-
-/// Returns all places of some grids, in order.
-std::vector<double> unite(std::initializer_list<const Course*> courses) {
-  std::vector<double> all;
-  for (const Course* course : courses)
-    all.insert(all.end(), course->grid.begin(), course->grid.end());
-  std::sort(all.begin(), all.end());
-  const auto close = [](double a, double b) { return b - a <= 1e-9; };
-  all.erase(std::unique(all.begin(), all.end(), close), all.end());
-  all.back() = 1.0;
-  return all;
-}
 
 /// `unit`: of the twist [rad].
 std::vector<KeyPoint> read_axis(const Entry& axis, const Entry& twist_table, double unit) {
   const Course x = read_course(axis.at("x")), y = read_course(axis.at("y")),
                z = read_course(axis.at("z")), twist = read_course(twist_table);
   std::vector<KeyPoint> points;
-  for (const double place : unite({&x, &y, &z, &twist})) {
+  for (const double place : unite_grids({&x.grid, &y.grid, &z.grid, &twist.grid})) {
     KeyPoint point;
     point.x = z.at(place);
     const double sweep = y.at(place), angle = unit * twist.at(place);
@@ -158,7 +45,7 @@ std::vector<SectionMatrix> read_matrices(const Entry& table, std::size_t count, 
   std::vector<SectionMatrix> matrices;
   const Entry values = table.at("values");
   const std::vector<Entry> rows = values.elements();
-  check_count(values, rows, count);
+  check_count(values, rows.size(), count);
   for (const Entry& row : rows) {
     const std::vector<double> entries = row.numbers();
     constexpr std::size_t all = 36, upper_triangle = 21;
@@ -200,7 +87,7 @@ std::vector<double> read_array(const Entry& table, const std::string& key, std::
   if (may_be_missing && !table.has(key)) return std::vector<double>(count, 0.0);
   const Entry entry = table.at(key);
   std::vector<double> values = entry.numbers();
-  check_count(entry, values, count);
+  check_count(entry, values.size(), count);
   return values;
 }
 
@@ -322,8 +209,7 @@ void read_rotor(const Entry& root, double unit, FoundModel& model) {
 }
 
 /// `unit`: of the twist [rad].
-void read_blade(const BladeTables& tables, double unit, const std::string& file,
-                FoundModel& model) {
+void read_blade(const BladeTables& tables, double unit, FoundModel& model) {
   const Entry& axis = tables.axis;
   const BladeAxis curve(read_axis(axis, tables.twist, unit));
   BeamTable beam = merge_stations(curve, tables.sections);
@@ -333,9 +219,6 @@ void read_blade(const BladeTables& tables, double unit, const std::string& file,
       "grid is a share of the arc length; sweep is -y, prebend x, twist of "
       "the other sign.");
   model.blade = std::move(beam);
-  model.left_out.push_back(file +
-                           ": tower, nacelle, generator, airfoils, materials, layers and "
-                           "control; the hub is held, its mass is not in the file");
 }
 
 }  // namespace
@@ -348,9 +231,15 @@ void read_windio(const SourceFile& source, FoundModel& model) {
     const bool is_new = is_version_2(root);
     const double unit = is_new ? std::numbers::pi / 180.0 : 1.0;
     double asymmetry = 0.0;  // entries of full matrices only
-    read_blade(is_new ? read_tables_of_version_2(blade, asymmetry, model)
-                      : read_tables_of_version_1(blade, asymmetry),
-               unit, source.name, model);
+    const BladeTables tables = is_new ? read_tables_of_version_2(blade, asymmetry, model)
+                                      : read_tables_of_version_1(blade, asymmetry);
+    read_blade(tables, unit, model);
+    const bool has_air = has_windio_aerodynamics(root, is_new);
+    model.left_out.push_back(
+        source.name + ": tower, nacelle, generator, " +
+        (has_air ? "shapes of the aerofoils" : "airfoils") +
+        ", materials, layers and control; the hub is held, its mass is not in the file");
+    if (has_air) read_windio_aerodynamics(root, is_new, tables.axis, tables.twist, model);
     read_rotor(root, unit, model);
   } catch (const YAML::Exception& error) {
     refuse(source.name, error.mark.is_null() ? 0 : error.mark.line + 1,

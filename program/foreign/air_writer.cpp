@@ -1,0 +1,96 @@
+// Tables of air in the order of docs/scenario.md.
+
+#include "program/foreign/air_writer.h"
+
+#include <algorithm>
+
+namespace spoke::foreign {
+namespace {
+
+bool all_zero(const std::vector<double>& values) {
+  return std::all_of(values.begin(), values.end(), [](double value) { return value == 0.0; });
+}
+
+void write_value(const char* key, const Value& value, Toml& toml) {
+  if (value.number > 0.0)
+    toml.key(key, digits(value.number), value.from);
+  else if (!value.from.empty())
+    toml.comment(std::string(key) + " is the scenario's default: " + value.from);
+}
+
+void write_wind(const FoundAir& air, const std::string& downwind, Toml& toml) {
+  toml.comment("The air is at rest: the files have no wind. For example:");
+  toml.comment("[wind]");
+  toml.comment("velocity = " + downwind + "   # m/s, downwind");
+  if (air.shear.number > 0.0)
+    toml.comment("shear_exponent = " + digits(air.shear.number) + "   # " + air.shear.from);
+  if (air.reference_height.number > 0.0)
+    toml.comment("reference_height = " + digits(air.reference_height.number) + "   # " +
+                 air.reference_height.from + "; heights are along z, from the origin");
+}
+
+void write_polars(const spatial::Airfoil& airfoil, Toml& toml) {
+  for (const spatial::Polar& polar : airfoil.polars) {
+    if (airfoil.polars.size() > 1) {
+      toml.table("[[airfoil.polar]]");
+      toml.key("reynolds", digits(polar.reynolds));
+    }
+    toml.numbers("angle", polar.angle);
+    toml.numbers("lift", polar.lift);
+    toml.numbers("drag", polar.drag);
+    toml.numbers("moment", polar.moment);
+  }
+}
+
+}  // namespace
+
+std::string airfoil_path(const std::string& folder, const std::string& name) {
+  return folder + '/' + name + ".txt";
+}
+
+void write_blade_air(const FoundAir& air, const Value& pitch, Toml& toml) {
+  toml.table("[[blade.joint]]");
+  toml.key("name", "\"pitch\"");
+  toml.key("station", "0");
+  toml.key("kind", "\"revolute\"");
+  toml.key("axis", "[1, 0, 0]");
+  toml.key("motion", "{ constant = " + digits(pitch.number) + " }",
+           pitch.from.empty() ? "not in the files" : pitch.from + ", in rad, negative to feather");
+  toml.table("[blade.aerodynamics]");
+  for (const std::string& remark : air.remarks) toml.comment(remark);
+  std::vector<std::string> stations, names;
+  for (const double x : air.blade.station) stations.push_back(digits(x));
+  for (const std::string& name : air.blade.airfoil) names.push_back(quoted(name));
+  toml.lines("station", stations, air.station_from);
+  toml.numbers("chord", air.blade.chord);
+  if (!all_zero(air.blade.twist)) toml.numbers("twist", air.blade.twist);
+  if (!all_zero(air.blade.center)) toml.numbers("center", air.blade.center);
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  toml.key("airfoil", '[' + list + ']');
+}
+
+void write_air(const FoundAir& air, const std::string& folder, const std::string& downwind,
+               Toml& toml) {
+  toml.table("[air]");
+  write_value("density", air.density, toml);
+  write_value("viscosity", air.viscosity, toml);
+  toml.table("[aerodynamics]");
+  const auto write = [&](const char* key, const FoundChoice& choice) {
+    toml.key(key, quoted(std::string(choice.word)), choice.from);
+  };
+  write("induction", air.induction);
+  write("inflow", air.inflow);
+  write("stall", air.stall);
+  write_wind(air, downwind, toml);
+  for (const FoundAirfoil& found : air.airfoils) {
+    toml.table("[[airfoil]]");
+    toml.key("name", quoted(found.airfoil.name));
+    if (folder.empty())
+      write_polars(found.airfoil, toml);
+    else
+      toml.key("file", quoted(airfoil_path(folder, found.airfoil.name)), found.from);
+  }
+}
+
+}  // namespace spoke::foreign

@@ -1,0 +1,78 @@
+#pragma once
+
+// A file of lines of a value and its key, which are looked for by name, since their order differs
+// from version to version.
+
+#include <string>
+#include <string_view>
+
+#include "models/support/quantity.h"
+#include "program/foreign/beamdyn_reader.h"
+#include "program/foreign/input_lines.h"
+#include "program/foreign/value.h"
+
+namespace spoke::foreign {
+
+/// A file that another one names.
+struct NamedFile {
+  std::string name;  ///< as it is given, relative to the folder of the file that names it
+  int line = 0;      ///< where it is given
+};
+
+/// Finds keys and checks their values; refuses by InputError with file and line.
+class KeyedLines {
+ public:
+  explicit KeyedLines(const SourceFile& source) : lines_(source.text, source.name) {}
+
+  InputLines& lines() { return lines_; }
+
+  /// Goes before the line of a key.
+  void seek(std::string_view key) {
+    lines_.rewind();
+    lines_.seek(key);
+  }
+  bool has(std::string_view key) {
+    lines_.rewind();
+    return lines_.has(key);
+  }
+  std::string text(std::string_view key) {
+    seek(key);
+    return lines_.take_value(key);
+  }
+  Value number(std::string_view key) {
+    seek(key);
+    Value value{lines_.take_number(key), {}};
+    value.from = std::string(key) + ", " + lines_.place();
+    return value;
+  }
+  int count(std::string_view key, int least, int most) {
+    seek(key);
+    return lines_.take_count(key, least, most);
+  }
+  Value at_least(std::string_view key, double least) {
+    Value value = number(key);
+    if (value.number < least)
+      lines_.refuse(std::string(key) + " is " + describe(value.number) + ", expected " +
+                    describe(least) + " or more");
+    return value;
+  }
+  Value positive(std::string_view key) {
+    Value value = number(key);
+    if (!(value.number > 0.0))
+      lines_.refuse(std::string(key) + " is " + describe(value.number) + ", expected more than 0");
+    return value;
+  }
+  /// A key that other versions spell otherwise, and that may be missing.
+  NamedFile file(std::string_view key, std::string_view other) {
+    if (!has(key)) key = other;
+    if (!has(key)) return {};
+    NamedFile named{text(key), 0};
+    named.line = lines_.number();
+    return named;
+  }
+
+ private:
+  InputLines lines_;
+};
+
+}  // namespace spoke::foreign
