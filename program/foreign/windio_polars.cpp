@@ -40,6 +40,9 @@ Coefficient read_coefficient(const Entry& table, double unit) {
   };
   snap(read.angle.front(), -kHalfTurn);
   snap(read.angle.back(), kHalfTurn);
+  if (read.angle.front() != -kHalfTurn || read.angle.back() != kHalfTurn)
+    grid.refuse("goes from " + describe(read.angle.front()) + " to " + describe(read.angle.back()) +
+                " degrees, expected -180 to 180");
   for (std::size_t i = 1; i < read.angle.size(); ++i)
     if (!(read.angle[i] > read.angle[i - 1] + least_gap))
       grid.refuse("element " + std::to_string(i + 1) + " is " + describe(read.angle[i]) +

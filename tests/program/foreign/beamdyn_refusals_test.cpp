@@ -22,7 +22,7 @@ TEST_CASE("faults of BeamDyn's primary file are refused with file, line and what
       kPrimary, {kPrimary},
       {{"", ":1: found \"\", expected the first line of a file of OpenFAST"},
        {"title = \"a scenario\"\n", ":1: found \"title = "},
-       {with(1, "------- AERODYN15 INPUT FILE -------"), ":1: found \"------- AERODYN15"},
+       {with(1, "------- HYDRODYN INPUT FILE -------"), ":1: found \"------- HYDRODYN"},
        {std::string("\x7f\x45LF\0\1\2\xff", 8), ":1: found \"?ELF"},
        {up_to_line(good, 1), ":1: the file ends here, expected a title"},
        {up_to_line(good, 18),
