@@ -17,17 +17,19 @@ using cli::ImportArguments;
 
 const char* const kImportText =
     R"(FILE is of BeamDyn (primary file with key points; the blade file that it names), of ElastoDyn (primary,
-blade, tower), or an ontology of WindIO (.yaml, .yml), told apart by the first line or the ending. Files
-that another one names are read as well, unless one of their kind is given.
+blade, tower), of AeroDyn (primary; the blade and aerofoils that it names), or an ontology of WindIO (.yaml,
+.yml), told apart by the first line or the ending. Files that another one names are read as well, unless
+one of their kind is given. AeroDyn's need those of BeamDyn or ElastoDyn besides.
 
 Stations of all lists are merged, arc lengths become stations, signs, axes and units those of Spoke,
 matrices symmetric; what came from where stands behind each value, and what could not be carried over at
-the head of the scenario, which is checked before it is written. See docs/files.md.
+the head of the scenario, which is checked before it is written. Polars go to tables in a folder beside
+it: rotor.toml has rotor_airfoils. See docs/files.md.
 
 Examples:
   spoke import blade_BeamDyn.dat --out blade.toml
   spoke import ElastoDyn_blade.dat --length 61.5 --out blade.toml
-  spoke import turbine_ElastoDyn.dat turbine_BeamDyn.dat --out turbine.toml
+  spoke import turbine_ElastoDyn.dat turbine_BeamDyn.dat turbine_AeroDyn15.dat --out turbine.toml
   spoke import IEA-15-240-RWT.yaml --out rotor.toml
 )";
 

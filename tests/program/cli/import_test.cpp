@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -69,6 +71,44 @@ TEST_CASE("a turbine and a rotor are imported whole") {
   CHECK(run_spoke({"check", "b.toml"}, folder.work).status == 0);
 }
 
+TEST_CASE("aerodynamics come with a folder of tables, all of them or none") {
+  const BladeFolder folder;
+  const std::vector<std::string> import = {
+      "import", "small_BeamDyn.dat", "small_ElastoDyn.dat", "small_AeroDyn.dat", "--out", "t.toml"};
+  const fs::path tables = folder.work.path() / "t_airfoils";
+  fs::rename(folder.work.path() / "small_AeroDyn_polar_thin.dat", folder.work.path() / "away");
+  check_refused(import, "small_AeroDyn.dat:27: names a file that cannot be read", folder.work);
+  CHECK_FALSE(fs::exists(tables));
+  fs::rename(folder.work.path() / "away", folder.work.path() / "small_AeroDyn_polar_thin.dat");
+  fs::create_directory(folder.work.path() / "t.toml.tmp");  // in the way of the scenario
+  check_refused(import, "t.toml", folder.work);
+  CHECK_FALSE(fs::exists(tables));
+  fs::remove(folder.work.path() / "t.toml.tmp");
+  const Ended ended = run_spoke(import, folder.work);
+  CHECK(ended.status == 0);
+  CHECK(contains(ended.out, "8 stations, 3 aerofoils"));
+  CHECK(contains(ended.out, "t.toml, 3 tables in t_airfoils"));
+  CHECK(fs::exists(tables / "small_AeroDyn_polar_thin.txt"));
+  CHECK(std::distance(fs::directory_iterator(tables), fs::directory_iterator()) == 3);
+  CHECK(run_spoke({"run", "t.toml", "--set", "wind={velocity=[8,0,0]}", "--set",
+                   "integration.duration=0.05", "--out", "r", "--no-report"},
+                  folder.work)
+            .status == 0);
+  CHECK(run_spoke({"performance", "t.toml", "--wind", "8", "--pitch", "0:2:2", "--tip-speed-ratio",
+                   "7", "--rigid", "--out", "p"},
+                  folder.work)
+            .status == 0);
+}
+
+TEST_CASE("a file in the place of the folder of tables is refused") {
+  const BladeFolder folder;
+  std::ofstream(folder.work.path() / "t_airfoils") << "mine";
+  check_refused({"import", "small_BeamDyn.dat", "small_AeroDyn.dat", "--out", "t.toml"},
+                "t_airfoils: cannot be made, expected a folder for the tables", folder.work);
+  CHECK(file_text(folder.work.path() / "t_airfoils") == "mine");
+  CHECK_FALSE(fs::exists(folder.work.path() / "t.toml"));
+}
+
 TEST_CASE("export writes two files that import takes") {
   const BladeFolder folder;
   REQUIRE(run_spoke({"import", "small_BeamDyn.dat", "--out", "a.toml"}, folder.work).status == 0);
@@ -85,7 +125,7 @@ TEST_CASE("what cannot be imported or exported is refused before anything is wri
     check_refused(words, message, folder.work);
   };
   refused({"import", "none.dat", "--out", "o.toml"},
-          "none.dat: no such file, expected a file of BeamDyn or ElastoDyn");
+          "none.dat: no such file, expected a file of BeamDyn, ElastoDyn or AeroDyn");
   refused({"import", "small_BeamDyn_blade.dat", "--out", "o.toml"},
           "small_BeamDyn_blade.dat:1: has no key points, expected BeamDyn's primary file besides");
   refused({"import", "small_BeamDyn.dat"}, "--out is required");
