@@ -1,6 +1,8 @@
 // Nodes of AeroDyn on the blade of another file. Spoke's axes are AeroDyn's (z, -y, x); twist is of
 // the other sign; the aerodynamic centre is found along the chord from the blade's axis.
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -9,6 +9,7 @@
 
 #include "models/air/airfoil_reader.h"
 #include "program/foreign/input_lines.h"
+#include "program/foreign/toml_text.h"
 
 namespace spoke::foreign {
 namespace {
@@ -74,9 +75,11 @@ std::vector<double> reynolds_of(const FoundPolars& polars) {
 }
 
 std::string write_rows(const FoundPolar& polar) {
+  constexpr double least = 1e-30;  // degrees; smaller ones are too small in rad
   std::string text;
   for (std::size_t i = 0; i < polar.angle.size(); ++i) {
-    text += digits(polar.angle[i]) + ' ' + digits(polar.lift[i]) + ' ' + digits(polar.drag[i]);
+    const double angle = std::abs(polar.angle[i]) < least ? 0.0 : polar.angle[i];
+    text += digits(angle) + ' ' + digits(polar.lift[i]) + ' ' + digits(polar.drag[i]);
     if (!polar.moment.empty()) text += ' ' + digits(polar.moment[i]);
     text += '\n';
   }

@@ -2,9 +2,18 @@
 
 #include "program/foreign/toml_text.h"
 
+#include <spdlog/fmt/fmt.h>
+
+#include <cmath>
+
 #include "program/foreign/input_lines.h"
 
 namespace spoke::foreign {
+
+std::string digits(double number) {
+  constexpr double least = 1e-40;
+  return std::abs(number) < least ? "0" : fmt::format("{}", number);
+}
 
 std::string digits(const std::vector<double>& numbers) {
   std::string text;

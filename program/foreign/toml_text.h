@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "program/foreign/value.h"
-
 namespace spoke::foreign {
 
+/// Returns the shortest digits that give the same number. What scenarios refuse as too small is 0.
+std::string digits(double number);
 /// Return "[1, 2.5]".
 std::string digits(const std::vector<double>& numbers);
 std::string digits(const Eigen::Vector3d& v);

@@ -1,10 +1,7 @@
 #pragma once
 
-// A number of a file, and how numbers are written.
+// A number of a file.
 
-#include <spdlog/fmt/fmt.h>
-
-#include <cmath>
 #include <string>
 
 namespace spoke::foreign {
@@ -14,11 +11,5 @@ struct Value {
   double number = 0.0;
   std::string from;
 };
-
-/// Returns the shortest digits that give the same number. What scenarios refuse as too small is 0.
-inline std::string digits(double number) {
-  constexpr double least = 1e-40;
-  return std::abs(number) < least ? "0" : fmt::format("{}", number);
-}
 
 }  // namespace spoke::foreign

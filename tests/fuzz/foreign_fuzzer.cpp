@@ -1,6 +1,6 @@
-// libFuzzer: whatever stands in files of BeamDyn, ElastoDyn and WindIO, they make a scenario that
-// is accepted, or are refused by InputError with one line. Lines "#file NAME" begin the files, the
-// first of which is imported, with others whose names begin with "+".
+// libFuzzer: whatever stands in files of BeamDyn, ElastoDyn, AeroDyn and WindIO, they make a
+// scenario that is accepted, or are refused by InputError with one line. Lines "#file NAME" begin
+// the files, the first of which is imported, with others whose names begin with "+".
 
 #include <cmath>
 #include <cstdio>
@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "models/air/airfoil_reader.h"
 #include "program/foreign/export_beamdyn.h"
 #include "program/foreign/import_files.h"
 #include "program/foreign/input_lines.h"
@@ -53,10 +54,24 @@ foreign::Imported import_all(const std::vector<foreign::SourceFile>& all) {
   return foreign::import_files(given, read, {20.0, 30.0});
 }
 
+/// Requires that the tables of aerofoils have the polars of the scenario.
+void check_tables(const foreign::Imported& imported) {
+  const spatial::Model& model = *imported.scenario.space;
+  require(imported.tables.size() == (model.air ? model.air->airfoils.size() : 0),
+          "each aerofoil has a table");
+  for (std::size_t k = 0; k < imported.tables.size(); ++k) {
+    const spatial::Airfoil& airfoil = model.air->airfoils[k];
+    require(imported.tables[k].name == "airfoils/" + airfoil.name + ".txt", "a table has its name");
+    require(air::parse_airfoil(imported.tables[k].text, "table", airfoil.name) == airfoil,
+            "a table is read as it was written");
+  }
+}
+
 /// Requires what a scenario of files promises, and that its blade can be written and read again.
 void check(const foreign::Imported& imported) {
   const spatial::Model& model = *imported.scenario.space;
   require(!model.blades.empty() || model.support, "there is a blade or a tower");
+  check_tables(imported);
   if (model.blades.empty()) return;
   const spatial::Beam& beam = model.blades[0].beam;
   require(std::isfinite(beam.length) && beam.length > 0.0, "a blade is long");
