@@ -11,9 +11,11 @@
 
 #include "engine/simulation/jumps.h"
 #include "engine/simulation/simulation_core.h"
+#include "models/air/hub_wind.h"
 #include "models/error.h"
 #include "models/reader/scenario_check.h"
 #include "models/support/nearest_name.h"
+#include "models/tree/hub_place.h"
 
 namespace spoke {
 namespace {
@@ -103,6 +105,40 @@ space::DrivenMotion course_of(const JointCourse& joint) {
                            joint.motion.acceleration};
 }
 
+/// Returns the wind of a simulation. Throws InputError if no air acts on its model.
+std::shared_ptr<const WindField>& wind_of(SimulationCore& core) {
+  SystemContext<Space>* space = core.model->space();
+  if (!space || !space->system.wind)
+    throw InputError(
+        "the wind: no air acts on the model, expected one in space with [air] and "
+        "aerodynamics of blades");
+  return space->system.wind;
+}
+
+/// Returns a wind that follows a course, in place of the one in force. Throws InputError.
+std::shared_ptr<const WindField> make_hub_wind(SimulationCore& core, const WindCourse& course) {
+  const std::shared_ptr<const WindField>& in_force = wind_of(core);
+  if (!std::isfinite(course.begin) || !std::isfinite(course.end) || !course.velocity.allFinite() ||
+      !course.target.allFinite())
+    throw InputError("the wind at the hub is not finite, expected numbers");
+  if (const auto* own = dynamic_cast<const air::HubWind*>(in_force.get())) return own->with(course);
+  const spatial::Model& model = *core.scenario.space;
+  return std::make_shared<air::HubWind>(model.air->wind, in_force, find_hub_place(model), course);
+}
+
+/// Whether the velocity at the hub says that at all places, as it does of winds at the hub.
+bool is_known_at_hub(SimulationCore& core) {
+  if (dynamic_cast<const air::HubWind*>(wind_of(core).get())) return true;
+  const Wind& wind = core.scenario.space->air->wind;
+  return !wind.gust && !wind.turbulence && wind.file.empty() && !wind.by_program && !wind.field;
+}
+
+/// Returns the wind of the scenario.
+std::shared_ptr<const WindField> scenario_wind(const std::shared_ptr<const WindField>& in_force) {
+  const auto* set = dynamic_cast<const air::HubWind*>(in_force.get());
+  return set ? set->replaced() : in_force;
+}
+
 /// Throws InputError unless all courses could be put in force.
 void require_courses(SimulationCore& core, const Courses& courses) {
   check_drive(courses.drive);
@@ -119,6 +155,7 @@ void require_courses(SimulationCore& core, const Courses& courses) {
   }
   for (const LoadFactor& load : courses.loads)
     require_factor(core.scenario, load.load, load.factor);
+  if (courses.wind) make_hub_wind(core, *courses.wind);
 }
 
 }  // namespace
@@ -151,6 +188,33 @@ void set_load_factor(Simulation& simulation, std::string_view load, double facto
   });
 }
 
+void set_wind(Simulation& simulation, const WindCourse& course) {
+  SimulationCore& core = core_of(simulation);
+  core.require_state("go on from with another wind");
+  std::shared_ptr<const WindField> next = make_hub_wind(core, course);
+  std::shared_ptr<const WindField>& in_force = wind_of(core);
+  if (is_known_at_hub(core) && wind_at_hub(simulation) == course.at(simulation.time()))
+    in_force = std::move(next);
+  else
+    core.replace(in_force, std::move(next));
+}
+
+Eigen::Vector3d wind_at_hub(const Simulation& simulation) {
+  SimulationCore& core = core_of(const_cast<Simulation&>(simulation));  // changes nothing
+  const std::shared_ptr<const WindField>& in_force = wind_of(core);
+  return in_force->velocity(find_hub_place(*core.scenario.space), simulation.time());
+}
+
+std::optional<Eigen::Vector3d> find_mean_wind(const Scenario& scenario) {
+  if (!scenario.space || !scenario.space->air) return std::nullopt;
+  const spatial::Model& model = *scenario.space;
+  const bool acts = std::any_of(model.blades.begin(), model.blades.end(),
+                                [](const auto& blade) { return blade.aerodynamics.has_value(); });
+  const Eigen::Vector3d hub = find_hub_place(model);
+  if (!acts || air::find_hub_wind_fault(model.air->wind, hub)) return std::nullopt;
+  return make_wind(model.air->wind)->mean(hub);
+}
+
 void restore(Simulation& simulation, const SavedState& state, const Courses& courses) {
   SimulationCore& core = core_of(simulation);
   require_courses(core, courses);
@@ -166,6 +230,10 @@ void restore(Simulation& simulation, const SavedState& state, const Courses& cou
         course_of(joint);
   for (const LoadFactor& load : courses.loads)
     with_loads(core, load.load, [&](auto& loads) { loads.multiply(load.factor); });
+  if (core.model->space() && core.model->space()->system.wind) {
+    std::shared_ptr<const WindField>& in_force = wind_of(core);
+    in_force = courses.wind ? make_hub_wind(core, *courses.wind) : scenario_wind(in_force);
+  }
 }
 
 }  // namespace spoke

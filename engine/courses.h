@@ -1,8 +1,11 @@
 #pragma once
 
 // What an embedding program sets between steps, beyond Simulation's own functions: factors of the
-// scenario's loads, and all that was set as a value, to go back with to a saved state.
+// scenario's loads, the wind at the hub, and all that was set as a value, to go back with to a
+// saved state.
 
+#include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +13,7 @@
 #include "engine/saved_state.h"
 #include "engine/simulation.h"
 #include "models/drive.h"
+#include "models/wind_course.h"
 #include "spoke/export.h"
 
 namespace spoke {
@@ -35,6 +39,7 @@ struct Courses {
   Drive drive{};                      ///< of the hub
   std::vector<JointCourse> joints{};  ///< of coordinates that the scenario leaves to the program
   std::vector<LoadFactor> loads{};    ///< of loads with a name
+  std::optional<WindCourse> wind{};   ///< at the hub; none: the scenario's wind blows
 };
 
 /// Multiplies the loads of a name, point loads, distributed ones, drags and loads on the hub, by a
@@ -46,6 +51,23 @@ SPOKE_EXPORT void set_load_factor(Simulation& simulation, std::string_view load,
 
 /// Returns the names of a scenario's loads, each once, in the order in which they come.
 SPOKE_EXPORT std::vector<std::string> load_names(const Scenario& scenario);
+
+/// Lets the wind at the hub follow a course from the next step on, in place of the scenario's
+/// speed, direction, gusts and turbulence; its shear stays: the velocity at another height has the
+/// factor (height/height of the hub)^shear_exponent. The hub's place is that before anything moves.
+/// Like other changes between steps it is the caller's to keep. A course that goes on from the
+/// velocity in force takes no evaluation of the accelerations. Throws InputError if no air acts on
+/// the model, if the wind has shear and the hub is not above the ground, or if a number is not
+/// finite; else like Simulation::set_drive(). The simulation then stays as it is.
+SPOKE_EXPORT void set_wind(Simulation& simulation, const WindCourse& course);
+
+/// Returns the wind in force at time() where the hub was before anything moved, inertial frame
+/// [m/s]. Throws InputError if no air acts on the model.
+SPOKE_EXPORT Eigen::Vector3d wind_at_hub(const Simulation& simulation);
+
+/// Returns the mean wind of a scenario there, without gusts and turbulence [m/s]; none if no air
+/// acts on its model, or set_wind() would refuse it for its shear.
+SPOKE_EXPORT std::optional<Eigen::Vector3d> find_mean_wind(const Scenario& scenario);
 
 /// Goes to a saved state as Simulation::restore() does, together with the courses that were in
 /// force when it was saved: these need not go on from those in force now. Coordinates and loads

@@ -98,7 +98,12 @@ void for_each_state_part(SubsystemData<World>& subsystem, Apply&& apply) {
   apply(doubles(subsystem.joint_loads[0], subsystem.joint_loads.size()));
   if (ArenaVector<double>& kept = subsystem.loops.kept_multipliers; !kept.empty())
     apply(doubles(kept[0], kept.size()));
-  if (subsystem.air) apply(doubles(subsystem.air->states[0], subsystem.air->states.size()));
+  if (subsystem.air) {
+    AirData<World>& air = *subsystem.air;
+    apply(doubles(air.states[0], air.states.size()));
+    apply(doubles(air.stations[0], air.stations.size()));
+    apply(doubles(air.sum));
+  }
   if (!subsystem.controls.empty()) apply(doubles(subsystem.controls[0], subsystem.controls.size()));
   for (BodyData<World>& body : subsystem.bodies) {
     apply_to_joint(body, apply);

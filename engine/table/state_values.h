@@ -15,9 +15,9 @@ namespace spoke {
 // doubles whose order depends on the model, formulation and method only: hub coordinates with their
 // histories, hub motion, the step's record, the power at the end of the step by every progress;
 // then by subsystem the prescribed hub, the loads of its root and its joints, the states of the air
-// on it and of its controllers, and of each body coordinates, velocities, accelerations and
-// histories as flex vectors. All else in the table a pass recalculates, or follows from the number
-// of the step.
+// on it, what it found there for sensors, the states of its controllers, and of each body
+// coordinates, velocities, accelerations and histories as flex vectors. All else in the table a
+// pass recalculates, or follows from the number of the step.
 
 /// Number of doubles in the state.
 template <class World>

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 #include "models/air/wind_field.h"
 #include "models/air/wind_rules.h"
@@ -28,6 +29,10 @@ class KeptWind {
   /// Returns the box of a file or of turbulence; null if there is none. May be called by several
   /// threads.
   std::shared_ptr<const WindBox> box() const;
+  /// Returns the exponent of the power law over time that the file gives; none if it gives none.
+  std::optional<Curve> shear_course() const {
+    return data_.table ? data_.table->shear_exponent : std::nullopt;
+  }
 
  private:
   void make() const;

@@ -42,9 +42,10 @@ void print(const fmu::Fmu& made, const Simulation& simulation, const std::string
   for (const auto& input : made.inputs)
     inputs.push_back(
         fmt::format("{} [{}], {} at the start", input->name, input->unit, input->start));
-  for (const std::string& output : made.outputs)
-    outputs.push_back(
-        fmt::format("{} [{}]", output, simulation.sensor_units()[simulation.sensor_index(output)]));
+  for (const std::string& output : made.outputs) {
+    const std::string& unit = simulation.sensor_units()[simulation.sensor_index(output)];
+    outputs.push_back(unit.empty() ? output : fmt::format("{} [{}]", output, unit));
+  }
   print_signals("inputs", inputs);
   print_signals("outputs", outputs);
   print_line("step",
@@ -55,8 +56,9 @@ void print(const fmu::Fmu& made, const Simulation& simulation, const std::string
 }  // namespace
 
 int make_fmu(const Arguments& arguments, const FmuArguments& own) {
-  fmu::FmuRequest request{arguments.scenario,  arguments.overrides, name_of(arguments.out),
-                          fmu::find_library(), own.inputs,          own.outputs};
+  fmu::FmuRequest request{arguments.scenario,          arguments.overrides, name_of(arguments.out),
+                          fmu::find_library(),         own.inputs,          own.outputs,
+                          fmu::FmiVersion{own.version}};
   require_no_folder(arguments.out);
   const Scenario scenario = read_scenario(arguments.scenario, arguments.overrides);
   warn_of_oddities(arguments.scenario, scenario);

@@ -12,6 +12,7 @@ namespace spoke::cli {
 /// Options of the command besides Arguments, whose `out` is the FMU.
 struct FmuArguments {
   std::vector<std::string> inputs, outputs;  ///< names
+  int version = 3;                           ///< of FMI: 2 or 3
 };
 
 /// Makes an FMU of a scenario, and writes it. Throws InputError.

@@ -14,13 +14,16 @@ using cli::Arguments;
 using cli::FmuArguments;
 
 const char* const kFmuText =
-    R"(Writes an FMU of FMI 3.0 for co-simulation on Linux, for Simulink, OpenModelica and others. It holds the
-scenario with the files that it names, and all of Spoke that it needs: importers need no Spoke.
+    R"(Writes an FMU for co-simulation on Linux, of FMI 3.0 or, with --fmi 2, of FMI 2.0, for Simulink,
+OpenModelica and others. It holds the scenario with the files that it names, and all of Spoke that it
+needs: importers need no Spoke.
 
 Inputs, each held over a communication step; all that the model has, unless named:
   drive.torque                   torque on a hub that turns freely, in place of the scenario's
   drive.speed                    speed of a hub that is driven, reached at the end of the step
   load.NAME                      factor of the loads of that name
+  wind.x, wind.y, wind.z         velocity of the wind at the hub, inertial frame, reached at the end of the
+                                 step; the scenario's shear stays
   blade1.JOINT.velocity          of a joint whose motion is { by = "program" }, reached at the end of
   SUBSYSTEM.JOINT.velocity       the step; or .acceleration, over the step, where it is named
 Outputs: columns of sensors.csv, or the words before their last, for all of a sensor.
@@ -30,6 +33,7 @@ Examples:
   spoke fmu models/wu_haug_rotor.toml --out rotor.fmu
   spoke fmu models/nrel_5mw_turbine.toml --out turbine.fmu --input drive.torque
             --output hub.speed blade1.tip
+  spoke fmu models/nrel_5mw_in_wind.toml --fmi 2 --out turbine.fmu --input wind.x drive.torque
 )";
 
 const char* const kFmuStatusText = R"(Exit status:
@@ -48,6 +52,9 @@ void add_options(CLI::App& command, Arguments& arguments, FmuArguments& own) {
       ->type_name("NAME...");
   command.add_option("--output", own.outputs, "Outputs that it has [all columns of sensors.csv]")
       ->type_name("SENSOR...");
+  command.add_option("--fmi", own.version, "Version of the standard: 2 or 3 [3]")
+      ->type_name("VERSION")
+      ->check(CLI::IsMember({2, 3}));
   command.footer(std::string(kFmuText) + '\n' + kFmuStatusText);
 }
 

@@ -1,10 +1,11 @@
-// Torque and speed of the drive, factors of loads, and joints that the scenario leaves to the
-// program.
+// Torque and speed of the drive, factors of loads, the wind at the hub, and joints that the
+// scenario leaves to the program.
 
 #include "program/fmu/inputs.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -85,6 +86,42 @@ class LoadInput final : public Input {
   std::string load_;
 };
 
+/// A component of the wind's velocity at the hub, reached at the end of a communication step.
+class WindInput final : public Input {
+ public:
+  /// mean: of the scenario's wind there [m/s].
+  WindInput(int component, const Eigen::Vector3d& mean)
+      : Input(
+            {std::string("wind.") + "xyz"[component], "m/s",
+             "Velocity of the wind at the hub's place, reached at the end of a communication step",
+             mean[component], true, std::string("wind.") + "xyz"[component]}),
+        component_(component),
+        mean_(mean) {}
+
+  void begin(const Simulation&, Courses&) const override {}
+  void apply(double value, double step, Simulation& simulation, Courses& courses) const override {
+    WindCourse next = course_from_now(step, simulation, courses);
+    next.target[component_] = value;
+    set_wind(simulation, next);
+    courses.wind = next;
+  }
+
+ private:
+  /// Returns the course that the other components have set for the same step, or one that goes on
+  /// with the targets in force. At first these are the means: gusts and turbulence end.
+  WindCourse course_from_now(double step, const Simulation& simulation,
+                             const Courses& courses) const {
+    const double t = simulation.time(), own = simulation.step_size();
+    if (courses.wind && courses.wind->begin == t && courses.wind->end > t) return *courses.wind;
+    const auto steps = static_cast<double>(simulation.steps()) + std::round(step / own);
+    const Eigen::Vector3d velocity = courses.wind ? courses.wind->at(t) : wind_at_hub(simulation);
+    return {t, steps * own, velocity, courses.wind ? courses.wind->target : mean_};
+  }
+
+  int component_;
+  Eigen::Vector3d mean_;
+};
+
 /// A coordinate of a joint, as it is found in a scenario.
 struct Coordinate {
   int tree = 0;
@@ -92,6 +129,8 @@ struct Coordinate {
   int coordinate = 0;
   std::string name;  ///< "blade1.pitch", of several coordinates "blade1.joint.2"
   std::string unit;  ///< "rad" or "m"
+  /// Whether the scenario leaves its motion to the program.
+  bool is_programs = false;
 };
 
 /// The motion of a joint's coordinate, by its velocity or its acceleration.
@@ -147,18 +186,17 @@ class JointInput final : public Input {
   Given given_;
 };
 
-/// Adds the coordinates of a joint that the scenario leaves to the program. Joints without a name
-/// have none that an importer could see.
+/// Adds the coordinates of a joint. Joints without a name have none that an importer could see.
 void add_coordinates(const spatial::Joint& joint, int tree, const std::string& tree_name,
                      std::vector<Coordinate>& found) {
   if (joint.name.empty()) return;
   const int count = spatial::count_coordinates(joint.kind);
   for (int c = 0; c < count; ++c) {
     const auto& motion = joint.coordinates[static_cast<std::size_t>(c)].motion;
-    if (!motion || !std::holds_alternative<spatial::ProgramMotion>(*motion)) continue;
     found.push_back({tree, joint.name, c,
                      tree_name + '.' + joint.name + (count > 1 ? '.' + std::to_string(c + 1) : ""),
-                     spatial::slides(joint.kind, c) ? "m" : "rad"});
+                     spatial::slides(joint.kind, c) ? "m" : "rad",
+                     motion && std::holds_alternative<spatial::ProgramMotion>(*motion)});
   }
 }
 
@@ -174,6 +212,27 @@ std::vector<Coordinate> find_coordinates(const spatial::Model& model) {
     ++tree;
   }
   return found;
+}
+
+/// Throws InputError that says why there is no such input.
+[[noreturn]] void refuse(const std::string& name, const std::vector<std::string_view>& known,
+                         const Scenario& scenario) {
+  if (scenario.space)
+    for (const Coordinate& at : find_coordinates(*scenario.space)) {
+      if (at.is_programs || !name.starts_with(at.name + '.')) continue;
+      const auto& control = scenario.space->pitch_control;
+      const bool is_controlled =
+          control && std::find(control->joints.begin(), control->joints.end(), at.joint) !=
+                         control->joints.end();
+      throw InputError("the input \"" + name + "\": " +
+                       (is_controlled ? "[control.pitch] moves that joint, expected no control of "
+                                        "it and"
+                                      : "the scenario does not leave that joint to the program, "
+                                        "expected") +
+                       " motion = { by = \"program\" }");
+    }
+  if (known.empty()) throw InputError("the input \"" + name + "\": this model has no inputs");
+  throw InputError("the input " + describe_unknown(name, known));
 }
 
 bool is_free(const Scenario& scenario) {
@@ -202,10 +261,15 @@ Inputs possible_inputs(const Simulation& simulation) {
     inputs.push_back(std::make_unique<TorqueInput>(drive));
   for (const std::string& load : load_names(scenario))
     inputs.push_back(std::make_unique<LoadInput>(load));
+  if (const std::optional<Eigen::Vector3d> mean = find_mean_wind(scenario))
+    for (const int component : {0, 1, 2})
+      inputs.push_back(std::make_unique<WindInput>(component, *mean));
   if (scenario.space)
-    for (const Coordinate& at : find_coordinates(*scenario.space))
+    for (const Coordinate& at : find_coordinates(*scenario.space)) {
+      if (!at.is_programs) continue;
       for (const auto given : {JointInput::Given::velocity, JointInput::Given::acceleration})
         inputs.push_back(std::make_unique<JointInput>(at, given));
+    }
   return inputs;
 }
 
@@ -220,8 +284,7 @@ Inputs choose_inputs(const Simulation& simulation, const std::vector<std::string
   for (const auto& input : possible) known.push_back(input->name);
   for (const std::string& name : names) {
     const auto found = std::find(known.begin(), known.end(), name);
-    if (known.empty()) throw InputError("the input \"" + name + "\": this model has no inputs");
-    if (found == known.end()) throw InputError("the input " + describe_unknown(name, known));
+    if (found == known.end()) refuse(name, known, simulation.scenario());
     auto& input = possible[static_cast<std::size_t>(found - known.begin())];
     if (!input) throw InputError("the input \"" + name + "\" is named twice, expected it once");
     for (const auto& other : chosen)

@@ -15,7 +15,7 @@ namespace spoke::fmu {
 /// one. It keeps no state: what is in force is in Courses.
 ///
 /// A new kind of input is a class of its own and a line in possible_inputs(). If it sets what
-/// Courses does not hold yet, Courses and write_state() (library/state_bytes.h) learn it, too.
+/// Courses does not hold yet, Courses and write_state() (library/model_state.h) learn it, too.
 class Input {
  public:
   virtual ~Input() = default;

@@ -18,7 +18,6 @@
 #include "program/fmu/archive.h"
 #include "program/fmu/contents.h"
 #include "program/fmu/licences.h"
-#include "program/fmu/model_description.h"
 #include "program/fmu/resources.h"
 
 namespace spoke::fmu {
@@ -115,7 +114,11 @@ std::string read_library(const fs::path& file) {
 
 }  // namespace
 
-std::string binaries_folder() { return "binaries/" SPOKE_FMU_MACHINE "-linux"; }
+std::string binaries_folder(FmiVersion version) {
+  const std::string_view machine = SPOKE_FMU_MACHINE;
+  if (version == FmiVersion::two && machine == "x86_64") return "binaries/linux64";
+  return "binaries/" SPOKE_FMU_MACHINE "-linux";
+}
 
 fs::path find_library() {
   std::error_code none;
@@ -136,8 +139,9 @@ Fmu make_fmu(const FmuRequest& request, const Simulation& simulation) {
   const Contents contents = make_contents(scenario, simulation, made);
   const ModelDescription model = describe(request, simulation, contents, made);
   std::vector<PackedFile> files{
-      {"modelDescription.xml", write_model_description(model)},
-      {binaries_folder() + '/' + model.identifier + ".so", read_library(request.library)},
+      {"modelDescription.xml", write_model_description(model, request.version)},
+      {binaries_folder(request.version) + '/' + model.identifier + ".so",
+       read_library(request.library)},
       {"documentation/licenses/license.txt", std::string(licence_text())},
       {"documentation/licenses/third_party.txt", std::string(third_party_licences())},
       {std::string("resources/") + kContentsFile, write_contents(contents)}};

@@ -8,6 +8,7 @@
 
 #include "engine/simulation.h"
 #include "program/fmu/inputs.h"
+#include "program/fmu/model_description.h"
 
 namespace spoke::fmu {
 
@@ -19,6 +20,7 @@ struct FmuRequest {
   std::filesystem::path library;     ///< shared object that goes into it, see find_library()
   std::vector<std::string> inputs;   ///< names; none: the usual ones; "none": no inputs
   std::vector<std::string> outputs;  ///< names of columns or of sensors; none: all columns
+  FmiVersion version = FmiVersion::three;
 };
 
 /// An FMU that is ready to be written.
@@ -30,7 +32,7 @@ struct Fmu {
 };
 
 /// Returns the path in an FMU of the folder for shared objects of this kind of machine.
-std::string binaries_folder();
+std::string binaries_folder(FmiVersion version);
 
 /// Returns the shared object that becomes part of FMUs: beside the running program, or where it is
 /// installed from there. Throws InputError if it is not there.

@@ -1,4 +1,4 @@
-// Writes elements and attributes in the order of the standard's schema.
+// Writes elements and attributes in the order of the standard's schemas.
 
 #include "program/fmu/model_description.h"
 
@@ -44,55 +44,106 @@ std::string write_unit(const std::string& name) {
   return text + "/></Unit>\n";
 }
 
-std::string write_variable(const Variable& variable, unsigned reference, const char* causality) {
-  std::string text = "    <Float64" + attribute("name", variable.name) +
-                     fmt::format(" valueReference=\"{}\"", reference);
+// What differs between the versions.
+
+/// FMI 3.0: a variable is an element of its type.
+class Version3 {
+ public:
+  static std::string attributes(const ModelDescription& model) {
+    return " fmiVersion=\"3.0\"" + attribute("modelName", model.name) +
+           attribute("instantiationToken", model.token);
+  }
+  static std::string capabilities(const ModelDescription& model) {
+    return " canBeInstantiatedOnlyOncePerProcess=\"false\" canGetAndSetFMUState=\"true\""
+           " canSerializeFMUState=\"true\" canHandleVariableCommunicationStepSize=\"true\"" +
+           attribute("fixedInternalStepSize", model.step) +
+           " canReturnEarlyAfterIntermediateUpdate=\"false\" hasEventMode=\"false\""
+           " providesEvaluateDiscreteStates=\"false\"";
+  }
+  static std::string variable(const std::string& common, const std::string& own,
+                              const std::string& number) {
+    return "    <Float64" + common + own + number + "/>\n";
+  }
+  static std::string structure(const ModelDescription& model) {
+    std::string text;
+    const auto first = kFirstReference + static_cast<unsigned>(model.inputs.size());
+    for (const char* element : {"Output", "InitialUnknown"})
+      for (unsigned k = 0; k < model.outputs.size(); ++k)
+        text += fmt::format("    <{} valueReference=\"{}\"/>\n", element, first + k);
+    return text;
+  }
+};
+
+/// FMI 2.0: a variable is a ScalarVariable with its type inside, and has a number from 1 on.
+class Version2 {
+ public:
+  static std::string attributes(const ModelDescription& model) {
+    return " fmiVersion=\"2.0\"" + attribute("modelName", model.name) +
+           attribute("guid", model.token);
+  }
+  static std::string capabilities(const ModelDescription&) {
+    return " canHandleVariableCommunicationStepSize=\"true\" canInterpolateInputs=\"false\""
+           " maxOutputDerivativeOrder=\"0\" canRunAsynchronuously=\"false\""
+           " canBeInstantiatedOnlyOncePerProcess=\"false\""
+           " canNotUseMemoryManagementFunctions=\"true\" canGetAndSetFMUstate=\"true\""
+           " canSerializeFMUstate=\"true\" providesDirectionalDerivative=\"false\"";
+  }
+  static std::string variable(const std::string& common, const std::string& own,
+                              const std::string& number) {
+    return "    <ScalarVariable" + common + own + "><Real" + number + "/></ScalarVariable>\n";
+  }
+  static std::string structure(const ModelDescription& model) {
+    std::string text;
+    const std::size_t first = 2 + model.inputs.size();  // behind the time
+    for (const char* element : {"Outputs", "InitialUnknowns"}) {
+      if (model.outputs.empty()) break;
+      text += fmt::format("    <{}>\n", element);
+      for (std::size_t k = 0; k < model.outputs.size(); ++k)
+        text += fmt::format("      <Unknown index=\"{}\"/>\n", first + k);
+      text += fmt::format("    </{}>\n", element);
+    }
+    return text;
+  }
+};
+
+std::string write_common(const Variable& variable, unsigned reference) {
+  std::string text =
+      attribute("name", variable.name) + fmt::format(" valueReference=\"{}\"", reference);
   if (!variable.description.empty()) text += attribute("description", variable.description);
-  text += fmt::format(" causality=\"{}\" variability=\"continuous\"", causality);
-  if (!variable.unit.empty()) text += attribute("unit", variable.unit);
   return text;
 }
 
+std::string write_number(const Variable& variable) {
+  return variable.unit.empty() ? "" : attribute("unit", variable.unit);
+}
+
+template <class Version>
 std::string write_variables(const ModelDescription& model) {
-  std::string text = "  <ModelVariables>\n";
-  text +=
-      write_variable({"time", "s", "Simulation time", 0.0}, kTimeReference, "independent") + "/>\n";
+  const auto kind = [](const char* causality, const char* rest = "") {
+    return fmt::format(" causality=\"{}\" variability=\"continuous\"{}", causality, rest);
+  };
+  const Variable time{"time", "s", "Simulation time", 0.0};
+  std::string text =
+      "  <ModelVariables>\n" + Version::variable(write_common(time, kTimeReference),
+                                                 kind("independent"), write_number(time));
   unsigned reference = kFirstReference;
   for (const Variable& input : model.inputs)
-    text += write_variable(input, reference++, "input") + attribute("start", input.start) + "/>\n";
+    text += Version::variable(write_common(input, reference++), kind("input"),
+                              write_number(input) + attribute("start", input.start));
   for (const Variable& output : model.outputs)
-    text += write_variable(output, reference++, "output") + " initial=\"calculated\"/>\n";
+    text += Version::variable(write_common(output, reference++),
+                              kind("output", " initial=\"calculated\""), write_number(output));
   return text + "  </ModelVariables>\n";
 }
 
-std::string write_structure(const ModelDescription& model) {
-  std::string text = "  <ModelStructure>\n";
-  const auto first = kFirstReference + static_cast<unsigned>(model.inputs.size());
-  for (const char* element : {"Output", "InitialUnknown"})
-    for (unsigned k = 0; k < model.outputs.size(); ++k)
-      text += fmt::format("    <{} valueReference=\"{}\"/>\n", element, first + k);
-  return text + "  </ModelStructure>\n";
-}
-
-std::string write_co_simulation(const ModelDescription& model) {
-  return "  <CoSimulation" + attribute("modelIdentifier", model.identifier) +
-         " canBeInstantiatedOnlyOncePerProcess=\"false\" canGetAndSetFMUState=\"true\""
-         " canSerializeFMUState=\"true\" canHandleVariableCommunicationStepSize=\"true\"" +
-         attribute("fixedInternalStepSize", model.step) +
-         " canReturnEarlyAfterIntermediateUpdate=\"false\" hasEventMode=\"false\""
-         " providesEvaluateDiscreteStates=\"false\"/>\n";
-}
-
-}  // namespace
-
-std::string write_model_description(const ModelDescription& model) {
-  std::string text =
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<fmiModelDescription fmiVersion=\"3.0\"" +
-      attribute("modelName", model.name) + attribute("instantiationToken", model.token);
+template <class Version>
+std::string write(const ModelDescription& model) {
+  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<fmiModelDescription" +
+                     Version::attributes(model);
   if (!model.description.empty()) text += attribute("description", model.description);
   text += " generationTool=\"Spoke " SPOKE_VERSION "\" variableNamingConvention=\"flat\">\n";
-  text += write_co_simulation(model);
+  text += "  <CoSimulation" + attribute("modelIdentifier", model.identifier) +
+          Version::capabilities(model) + "/>\n";
   text += "  <UnitDefinitions>\n";
   for (const std::string& unit : units_of(model)) text += write_unit(unit);
   text +=
@@ -103,7 +154,14 @@ std::string write_model_description(const ModelDescription& model) {
       "  </LogCategories>\n"
       "  <DefaultExperiment startTime=\"0\"" +
       attribute("stopTime", model.duration) + attribute("stepSize", model.interval) + "/>\n";
-  return text + write_variables(model) + write_structure(model) + "</fmiModelDescription>\n";
+  return text + write_variables<Version>(model) + "  <ModelStructure>\n" +
+         Version::structure(model) + "  </ModelStructure>\n</fmiModelDescription>\n";
+}
+
+}  // namespace
+
+std::string write_model_description(const ModelDescription& model, FmiVersion version) {
+  return version == FmiVersion::two ? write<Version2>(model) : write<Version3>(model);
 }
 
 std::string make_identifier(const std::string& name) {

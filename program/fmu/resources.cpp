@@ -70,6 +70,18 @@ void visit(const TomlTable& table, const std::string& path, std::vector<FileKey>
   for (const TomlMember& member : table) visit(member.value, path + member.key, found);
 }
 
+/// Adds the files of wind and aerofoils, see models/reader/spatial/wind_reader.cpp, air_reader.cpp.
+void add_air(const TomlTable& root, std::vector<FileKey>& found) {
+  const TomlValue* wind = root.find("wind");
+  if (wind && wind->as_table()) add_text(*wind->as_table(), "file", "wind.", found);
+  const TomlValue* airfoils = root.find("airfoil");
+  const TomlArray* array = airfoils ? airfoils->as_array() : nullptr;
+  if (!array) return;
+  for (std::size_t k = 0; k < array->size(); ++k)
+    if (const TomlTable* airfoil = (*array)[k].as_table())
+      add_text(*airfoil, "file", "airfoil." + std::to_string(k + 1) + '.', found);
+}
+
 std::string read_bytes(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
@@ -87,6 +99,7 @@ PackedScenario pack_scenario(const std::string& file, const Overrides& overrides
   for (const std::string& assignment : overrides) document.set(assignment);
   std::vector<FileKey> keys;
   visit(document.root(), "", keys);
+  add_air(document.root(), keys);
   std::map<std::string, std::string> names;  // of files that are packed
   for (const FileKey& key : keys) {
     const fs::path path = fs::path(file).parent_path() / key.file;

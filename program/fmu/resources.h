@@ -22,9 +22,9 @@ struct PackedScenario {
   std::vector<PackedFile> files{};  ///< the scenario first; names are beside the scenario
 };
 
-/// Reads a scenario file and the files of meshes and matrices that it names, wherever they are:
-/// they get names of their own in the folder "files". Throws InputError if one cannot be read. The
-/// scenario has been read before, so that it is known to be valid.
+/// Reads a scenario file and the files of meshes, matrices, aerofoils and wind that it names,
+/// wherever they are: they get names of their own in the folder "files". Throws InputError if one
+/// cannot be read. The scenario has been read before, so that it is known to be valid.
 PackedScenario pack_scenario(const std::string& file, const Overrides& overrides);
 
 }  // namespace spoke::fmu

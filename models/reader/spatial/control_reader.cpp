@@ -39,7 +39,7 @@ void read_schedule(const TomlSection& section, PitchControl& control) {
 std::optional<PitchControl> read_pitch_control(const TomlSection& root, const Model& model) {
   if (!root.has("control")) return std::nullopt;
   const TomlSection parent = root.section("control", {"pitch"});
-  if (!parent.has("pitch")) parent.fail("pitch", "is missing, expected a table [control.pitch]");
+  if (!parent.has("pitch")) return std::nullopt;
   const TomlSection section = parent.section(
       "pitch", {"joint", "joints", "speed", "proportional", "integral", "half_gain_angle",
                 "schedule", "minimum", "maximum", "rate", "filter", "initial", "sign", "period"});

@@ -4,27 +4,34 @@
 
 #include "program/fmu/fmi3.h"
 #include "program/fmu/library/answers.h"
-#include "program/fmu/library/log.h"
 
-using spoke::fmu::MessageSink;
 using spoke::fmu::not_there;
 
-SPOKE_FMI3 fmi3Instance fmi3InstantiateModelExchange(fmi3String, fmi3String, fmi3String,
-                                                     fmi3Boolean, fmi3Boolean loggingOn,
-                                                     fmi3InstanceEnvironment instanceEnvironment,
-                                                     fmi3LogMessageCallback logMessage) {
-  MessageSink{instanceEnvironment, logMessage, loggingOn}.send(
-      fmi3Error, "this FMU is for co-simulation, not for model exchange");
+namespace {
+
+/// Answers an importer that wants an instance of another kind.
+fmi3Instance refuse_kind(fmi3InstanceEnvironment environment, fmi3LogMessageCallback log,
+                         const char* text) {
+  if (log) log(environment, fmi3Error, "logStatusError", text);
   return nullptr;
 }
 
+}  // namespace
+
+SPOKE_FMI3 fmi3Instance fmi3InstantiateModelExchange(fmi3String, fmi3String, fmi3String,
+                                                     fmi3Boolean, fmi3Boolean,
+                                                     fmi3InstanceEnvironment instanceEnvironment,
+                                                     fmi3LogMessageCallback logMessage) {
+  return refuse_kind(instanceEnvironment, logMessage,
+                     "this FMU is for co-simulation, not for model exchange");
+}
+
 SPOKE_FMI3 fmi3Instance fmi3InstantiateScheduledExecution(
-    fmi3String, fmi3String, fmi3String, fmi3Boolean, fmi3Boolean loggingOn,
+    fmi3String, fmi3String, fmi3String, fmi3Boolean, fmi3Boolean,
     fmi3InstanceEnvironment instanceEnvironment, fmi3LogMessageCallback logMessage,
     fmi3ClockUpdateCallback, fmi3LockPreemptionCallback, fmi3UnlockPreemptionCallback) {
-  MessageSink{instanceEnvironment, logMessage, loggingOn}.send(
-      fmi3Error, "this FMU is for co-simulation, not for scheduled execution");
-  return nullptr;
+  return refuse_kind(instanceEnvironment, logMessage,
+                     "this FMU is for co-simulation, not for scheduled execution");
 }
 
 SPOKE_FMI3 fmi3Status fmi3EnterEventMode(fmi3Instance instance) {

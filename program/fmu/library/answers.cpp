@@ -2,8 +2,8 @@
 
 #include "program/fmu/library/answers.h"
 
+#include <map>
 #include <mutex>
-#include <set>
 #include <string>
 
 #include "models/error.h"
@@ -14,7 +14,7 @@ namespace {
 
 struct Register {
   std::mutex mutex;
-  std::set<const void*> instances;
+  std::map<const void*, Instance*> instances;
 };
 
 Register& known() {
@@ -24,30 +24,38 @@ Register& known() {
 
 }  // namespace
 
-void enlist(const Instance& instance) {
+void enlist(Instance& instance) {
   const std::lock_guard lock(known().mutex);
-  known().instances.insert(&instance);
+  known().instances[&instance] = &instance;
 }
 
-Instance* find(fmi3Instance handle) {
+Instance* find(const void* handle) {
   const std::lock_guard lock(known().mutex);
-  return known().instances.contains(handle) ? static_cast<Instance*>(handle) : nullptr;
+  const auto found = known().instances.find(handle);
+  return found == known().instances.end() ? nullptr : found->second;
 }
 
-Instance* strike_off(fmi3Instance handle) {
+Instance* strike_off(const void* handle) {
   const std::lock_guard lock(known().mutex);
-  return known().instances.erase(handle) > 0 ? static_cast<Instance*>(handle) : nullptr;
+  const auto found = known().instances.extract(handle);
+  return found.empty() ? nullptr : found.mapped();
 }
 
 const MessageSink& messages_of(Instance& instance) { return instance.messages(); }
 
-fmi3Status no_variables(fmi3Instance handle, const char* function, std::size_t count) {
+std::string text_or_empty(const char* text) { return text ? text : ""; }
+
+void require_pointers(bool are_there, const char* which) {
+  if (!are_there) throw InputError(std::string(which) + " is a null pointer");
+}
+
+Answer no_variables(const void* handle, const char* function, std::size_t count) {
   return call(handle, function, [&](Instance&) {
-    if (count > 0) throw InputError("all variables of this FMU are of the type Float64");
+    if (count > 0) throw InputError("all variables of this FMU are real numbers (Real, Float64)");
   });
 }
 
-fmi3Status not_there(fmi3Instance handle, const char* function, const char* what) {
+Answer not_there(const void* handle, const char* function, const char* what) {
   return call(handle, function,
               [&](Instance&) { throw InputError(std::string("this FMU has no ") + what); });
 }

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
+#include <vector>
 
 #include "models/error.h"
 #include "program/fmu/fmi3.h"
@@ -17,23 +17,18 @@ using namespace spoke;
 using fmu::call;
 using fmu::Instance;
 using fmu::MessageSink;
-using fmu::ModelState;
+using fmu::require_pointers;
+using fmu::text_or_empty;
 
-ModelState& find_state(Instance& instance, fmi3FMUState state) {
-  const auto found = std::find_if(instance.states.begin(), instance.states.end(),
-                                  [state](const auto& own) { return own.get() == state; });
-  if (found == instance.states.end())
-    throw InputError(
-        "the state is none of this instance, expected one of fmi3GetFMUState or "
-        "fmi3DeserializeFMUState");
-  return **found;
+/// Returns where messages go by the callback of an importer.
+MessageSink make_sink(fmi3InstanceEnvironment environment, fmi3LogMessageCallback log,
+                      fmi3Boolean warns) {
+  if (!log) return {{}, warns};
+  return {[environment, log](fmu::Grade grade, const char* category, const char* text) {
+            log(environment, static_cast<fmi3Status>(grade), category, text);
+          },
+          warns};
 }
-
-void require_pointers(bool are_there, const char* which) {
-  if (!are_there) throw InputError(std::string(which) + " is a null pointer");
-}
-
-std::string text_or_empty(fmi3String text) { return text ? text : ""; }
 
 }  // namespace
 
@@ -43,15 +38,9 @@ SPOKE_FMI3 fmi3Status fmi3SetDebugLogging(fmi3Instance instance, fmi3Boolean log
                                           std::size_t nCategories, const fmi3String categories[]) {
   return call(instance, "fmi3SetDebugLogging", [&](Instance& own) {
     require_pointers(nCategories == 0 || categories, "categories");
-    bool warnings = nCategories == 0;
-    for (std::size_t k = 0; k < nCategories; ++k) {
-      const std::string category = text_or_empty(categories[k]);
-      if (category != "logStatusWarning" && category != "logStatusError")
-        throw InputError("there is no category \"" + category +
-                         "\", expected logStatusWarning or logStatusError");
-      warnings = warnings || category == "logStatusWarning";
-    }
-    if (warnings) own.messages().warns = loggingOn;
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < nCategories; ++k) names.push_back(text_or_empty(categories[k]));
+    own.set_logging(loggingOn, names);
   });
 }
 
@@ -60,7 +49,7 @@ SPOKE_FMI3 fmi3Instance fmi3InstantiateCoSimulation(
     fmi3Boolean loggingOn, fmi3Boolean eventModeUsed, fmi3Boolean, const fmi3ValueReference[],
     std::size_t nRequiredIntermediateVariables, fmi3InstanceEnvironment instanceEnvironment,
     fmi3LogMessageCallback logMessage, fmi3IntermediateUpdateCallback) {
-  const MessageSink messages{instanceEnvironment, logMessage, loggingOn};
+  const MessageSink messages = make_sink(instanceEnvironment, logMessage, loggingOn);
   fmi3Instance made = nullptr;
   fmu::guard(messages, "fmi3InstantiateCoSimulation", [&] {
     if (eventModeUsed) throw InputError("this FMU has no event mode");
@@ -82,7 +71,8 @@ SPOKE_FMI3 fmi3Status fmi3EnterInitializationMode(fmi3Instance instance, fmi3Boo
                                                   fmi3Boolean stopTimeDefined,
                                                   fmi3Float64 stopTime) {
   return call(instance, "fmi3EnterInitializationMode", [&](Instance& own) {
-    own.enter_initialization(startTime, stopTimeDefined ? std::optional(stopTime) : std::nullopt);
+    own.set_times(startTime, stopTimeDefined ? std::optional(stopTime) : std::nullopt);
+    own.enter_initialization();
   });
 }
 
@@ -141,25 +131,18 @@ SPOKE_FMI3 fmi3Status fmi3SetFloat64(fmi3Instance instance,
 SPOKE_FMI3 fmi3Status fmi3GetFMUState(fmi3Instance instance, fmi3FMUState* FMUState) {
   return call(instance, "fmi3GetFMUState", [&](Instance& own) {
     require_pointers(FMUState, "the place of the state");
-    if (*FMUState) {  // memory of a state that is used again
-      find_state(own, *FMUState) = own.state();
-      return;
-    }
-    own.states.push_back(std::make_unique<ModelState>(own.state()));
-    *FMUState = own.states.back().get();
+    *FMUState = own.save(*FMUState);
   });
 }
 
 SPOKE_FMI3 fmi3Status fmi3SetFMUState(fmi3Instance instance, fmi3FMUState FMUState) {
-  return call(instance, "fmi3SetFMUState",
-              [&](Instance& own) { own.put(find_state(own, FMUState)); });
+  return call(instance, "fmi3SetFMUState", [&](Instance& own) { own.go_back(FMUState); });
 }
 
 SPOKE_FMI3 fmi3Status fmi3FreeFMUState(fmi3Instance instance, fmi3FMUState* FMUState) {
   return call(instance, "fmi3FreeFMUState", [&](Instance& own) {
     if (!FMUState || !*FMUState) return;
-    const ModelState* state = &find_state(own, *FMUState);
-    std::erase_if(own.states, [state](const auto& each) { return each.get() == state; });
+    own.forget(*FMUState);
     *FMUState = nullptr;
   });
 }
@@ -168,7 +151,7 @@ SPOKE_FMI3 fmi3Status fmi3SerializedFMUStateSize(fmi3Instance instance, fmi3FMUS
                                                  std::size_t* size) {
   return call(instance, "fmi3SerializedFMUStateSize", [&](Instance& own) {
     require_pointers(size, "the place of the size");
-    *size = own.write(find_state(own, FMUState)).size();
+    *size = own.serialize(FMUState).size();
   });
 }
 
@@ -176,10 +159,7 @@ SPOKE_FMI3 fmi3Status fmi3SerializeFMUState(fmi3Instance instance, fmi3FMUState 
                                             fmi3Byte serializedState[], std::size_t size) {
   return call(instance, "fmi3SerializeFMUState", [&](Instance& own) {
     require_pointers(serializedState, "the place of the bytes");
-    const std::string bytes = own.write(find_state(own, FMUState));
-    if (size < bytes.size())
-      throw InputError("there is place for " + std::to_string(size) + " bytes, expected " +
-                       std::to_string(bytes.size()));
+    const std::string bytes = own.serialize(FMUState, size);
     std::copy(bytes.begin(), bytes.end(), serializedState);
   });
 }
@@ -189,9 +169,6 @@ SPOKE_FMI3 fmi3Status fmi3DeserializeFMUState(fmi3Instance instance,
                                               fmi3FMUState* FMUState) {
   return call(instance, "fmi3DeserializeFMUState", [&](Instance& own) {
     require_pointers(serializedState && FMUState, "the bytes or the place of the state");
-    auto state = std::make_unique<ModelState>(
-        own.read({reinterpret_cast<const char*>(serializedState), size}));
-    own.states.push_back(std::move(state));
-    *FMUState = own.states.back().get();
+    *FMUState = own.deserialize({reinterpret_cast<const char*>(serializedState), size});
   });
 }

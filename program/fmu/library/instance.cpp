@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -22,14 +23,23 @@ Contents load_contents(const std::filesystem::path& resources) {
   return read_contents(read_text(file, "the resources of this FMU"), file.string());
 }
 
-/// Lets a scenario go on as long as an importer likes, with the same step to the last bit: the
-/// duration is doubled. (Durations that are not whole numbers of steps are known by 1e-9 of it.)
+/// Returns the time up to which the wind of a scenario's file is known [s].
+double find_end_of_wind(const Scenario& scenario) {
+  const bool has_file =
+      scenario.space && scenario.space->air && !scenario.space->air->wind.file.empty();
+  return has_file ? make_wind(scenario.space->air->wind)->end()
+                  : std::numeric_limits<double>::infinity();
+}
+
+/// Lets a scenario go on as long as an importer likes, or its file of wind lasts, with the same
+/// step to the last bit: the duration is doubled. (Durations that are not whole numbers of steps
+/// are known by 1e-9 of it.)
 void extend(const Contents& contents, Scenario& scenario) {
   constexpr double kMostSteps = 5e8;
   scenario.integration.step = contents.step;
-  for (double count = scenario.integration.duration / contents.step; 2.0 * count <= kMostSteps;
-       count *= 2.0)
-    scenario.integration.duration *= 2.0;
+  double& duration = scenario.integration.duration;
+  const double longest = std::min(kMostSteps * contents.step, find_end_of_wind(scenario));
+  while (2.0 * duration <= longest) duration *= 2.0;
 }
 
 SimulationOptions serial() {
@@ -93,8 +103,8 @@ Instance::Instance(const InstanceRequest& request)
     throw InputError("the path of the resources is missing, expected the folder of the FMU's");
   contents_ = load_contents(request.resources);
   if (request.token != contents_.token)
-    throw InputError("the instantiationToken is \"" + request.token + "\", expected \"" +
-                     contents_.token + "\", as in modelDescription.xml");
+    throw InputError("the token (instantiationToken, guid) is \"" + request.token +
+                     "\", expected \"" + contents_.token + "\", as in modelDescription.xml");
   simulation_.emplace(make_simulation(request.resources, contents_));
   if (!contents_.inputs.empty()) inputs_ = choose_inputs(*simulation_, contents_.inputs);
   for (const auto& input : inputs_) {
@@ -111,11 +121,15 @@ void Instance::require(bool is_allowed, const char* what) const {
   if (!is_allowed) throw InputError(std::string(what) + ", but the instance is " + name_of(mode_));
 }
 
-void Instance::enter_initialization(double start, std::optional<double> stop) {
-  require(mode_ == Mode::instantiated, "initialization mode is entered once, after instantiation");
+void Instance::set_times(double start, std::optional<double> stop) {
+  require(mode_ == Mode::instantiated, "times are set once, after instantiation");
   if (!std::isfinite(start) || (stop && !(*stop > start)))
     throw InputError("the times of start and stop are not finite or not in order");
   start_time_ = start;
+}
+
+void Instance::enter_initialization() {
+  require(mode_ == Mode::instantiated, "initialization mode is entered once, after instantiation");
   mode_ = Mode::initialization;
 }
 
@@ -162,9 +176,9 @@ void Instance::do_step(double point, double step) {
   mode_ = Mode::step;
 }
 
-void Instance::get(std::span<const fmi3ValueReference> references, std::span<double> values) const {
+void Instance::get(std::span<const std::uint32_t> references, std::span<double> values) const {
   const std::size_t first_output = kFirstReference + inputs_.size();
-  for (const fmi3ValueReference reference : references)
+  for (const std::uint32_t reference : references)
     if (reference >= first_output) {
       if (reference >= first_output + outputs_.size())
         throw InputError("there is no variable of value reference " + std::to_string(reference));
@@ -181,7 +195,7 @@ void Instance::get(std::span<const fmi3ValueReference> references, std::span<dou
   }
 }
 
-void Instance::set(std::span<const fmi3ValueReference> references, std::span<const double> values) {
+void Instance::set(std::span<const std::uint32_t> references, std::span<const double> values) {
   require(mode_ == Mode::instantiated || mode_ == Mode::initialization || mode_ == Mode::step,
           "inputs are set before a step");
   for (std::size_t k = 0; k < references.size(); ++k) {
@@ -213,15 +227,58 @@ void Instance::put(const ModelState& state) {
   mode_ = state.mode;
 }
 
-std::string Instance::write(const ModelState& state) const {
-  return write_state(state, contents_.token);
+void Instance::set_logging(bool is_on, const std::vector<std::string>& categories) {
+  bool warnings = categories.empty();
+  for (const std::string& category : categories) {
+    if (category != "logStatusWarning" && category != "logStatusError")
+      throw InputError("there is no category \"" + category +
+                       "\", expected logStatusWarning or logStatusError");
+    warnings = warnings || category == "logStatusWarning";
+  }
+  if (warnings) messages_.warns = is_on;
 }
 
-ModelState Instance::read(std::string_view bytes) const {
+ModelState& Instance::find(const void* held) const {
+  const auto found = std::find_if(states_.begin(), states_.end(),
+                                  [held](const auto& own) { return own.get() == held; });
+  if (found == states_.end())
+    throw InputError(
+        "the state is none of this instance, expected one that it has saved or "
+        "deserialized");
+  return **found;
+}
+
+void* Instance::save(const void* held) {
+  if (!held) return states_.emplace_back(std::make_unique<ModelState>(state())).get();
+  ModelState& place = find(held);  // its memory is used again
+  place = state();
+  return &place;
+}
+
+void Instance::go_back(const void* held) { put(find(held)); }
+
+void Instance::forget(const void* held) {
+  const ModelState* state = &find(held);
+  std::erase_if(states_, [state](const auto& each) { return each.get() == state; });
+}
+
+std::string Instance::serialize(const void* held) const {
+  return write_state(find(held), contents_.token);
+}
+
+std::string Instance::serialize(const void* held, std::size_t place) const {
+  std::string bytes = serialize(held);
+  if (place < bytes.size())
+    throw InputError("there is place for " + std::to_string(place) + " bytes, expected " +
+                     std::to_string(bytes.size()));
+  return bytes;
+}
+
+void* Instance::deserialize(std::string_view bytes) {
   ModelState state = read_state(bytes, contents_.token, begin_->courses.drive);
   if (state.inputs.size() != inputs_.size() || !has_same_places(state.courses, courses_))
     throw InputError("the state is of an FMU with other inputs");
-  return state;
+  return states_.emplace_back(std::make_unique<ModelState>(std::move(state))).get();
 }
 
 }  // namespace spoke::fmu

@@ -3,6 +3,7 @@
 // One instance of an FMU: a simulation between two communication points.
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,7 +13,6 @@
 
 #include "engine/simulation.h"
 #include "program/fmu/contents.h"
-#include "program/fmu/fmi3.h"
 #include "program/fmu/inputs.h"
 #include "program/fmu/library/log.h"
 #include "program/fmu/library/model_state.h"
@@ -22,7 +22,7 @@ namespace spoke::fmu {
 /// What an importer says when it makes an instance.
 struct InstanceRequest {
   std::string name;       ///< of the instance, for messages
-  std::string token;      ///< of the model description that it has read
+  std::string token;      ///< of the model description that it has read: instantiationToken, guid
   std::string resources;  ///< folder of the FMU's resources
   MessageSink messages;
 };
@@ -38,8 +38,9 @@ class Instance {
   const std::string& name() const { return name_; }
   MessageSink& messages() { return messages_; }
 
-  /// `start` and `stop`: the importer's time [s].
-  void enter_initialization(double start, std::optional<double> stop);
+  /// Takes the importer's times of start and stop [s], before initialization; else the start is 0.
+  void set_times(double start, std::optional<double> stop);
+  void enter_initialization();
   void exit_initialization();
   void terminate();
   void reset();
@@ -48,19 +49,27 @@ class Instance {
   /// Returns the importer's time up to which the simulation has come [s].
   double time() const;
 
-  void get(std::span<const fmi3ValueReference> references, std::span<double> values) const;
-  void set(std::span<const fmi3ValueReference> references, std::span<const double> values);
+  void get(std::span<const std::uint32_t> references, std::span<double> values) const;
+  void set(std::span<const std::uint32_t> references, std::span<const double> values);
 
-  ModelState state() const;
-  void put(const ModelState& state);
-  std::string write(const ModelState& state) const;
-  ModelState read(std::string_view bytes) const;
+  /// Lets messages of some categories come, or not; without names those of all. Errors always come.
+  void set_logging(bool is_on, const std::vector<std::string>& categories);
 
-  /// States that the importer holds; it frees them, or they go with the instance.
-  std::vector<std::unique_ptr<ModelState>> states;
+  // States that the importer holds by handles; it frees them, or they go with the instance.
+
+  /// Saves the state, in place of one that is held if `held` is not null, and returns its handle.
+  void* save(const void* held);
+  void go_back(const void* held);
+  void forget(const void* held);
+  std::string serialize(const void* held) const;
+  /// Returns the bytes likewise; there must be `place` for them.
+  std::string serialize(const void* held, std::size_t place) const;
+  void* deserialize(std::string_view bytes);
 
  private:
-  void start();
+  ModelState state() const;
+  void put(const ModelState& state);
+  ModelState& find(const void* held) const;
   void require(bool is_allowed, const char* what) const;
   void apply_inputs(double step);
 
@@ -72,6 +81,7 @@ class Instance {
   std::vector<std::size_t> outputs_;  ///< places of the sensors
   Courses courses_;
   std::vector<InputValue> values_;
+  std::vector<std::unique_ptr<ModelState>> states_;
   std::optional<ModelState> begin_;  ///< as it was made
   Mode mode_ = Mode::instantiated;
   double start_time_ = 0.0;

@@ -17,15 +17,15 @@ bool is_heard(LogLevel level) {
 }
 
 void log(LogLevel level, const std::string& text) {
-  if (is_heard(level)) current->send(level == LogLevel::error ? fmi3Error : fmi3Warning, text);
+  if (is_heard(level))
+    current->send(level == LogLevel::error ? fmu::Grade::error : fmu::Grade::warning, text);
 }
 
 namespace fmu {
 
-void MessageSink::send(fmi3Status status, const std::string& text) const noexcept {
-  if (!log || (status == fmi3Warning && !warns)) return;
-  log(environment, status, status == fmi3Warning ? "logStatusWarning" : "logStatusError",
-      text.c_str());
+void MessageSink::send(Grade grade, const std::string& text) const noexcept {
+  if (!log || (grade == Grade::warning && !warns)) return;
+  log(grade, grade == Grade::warning ? "logStatusWarning" : "logStatusError", text.c_str());
 }
 
 LogsTo::LogsTo(const MessageSink& sink) noexcept : before_(current) { current = &sink; }

@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -15,12 +16,12 @@
 namespace spoke::fmu {
 namespace {
 
-constexpr std::string_view kMark = "SPOKEFMU1\n";
+constexpr std::string_view kMark = "SPOKEFMU2\n";
 constexpr const char* kName = "the serialized state";
 
 [[noreturn]] void fail(const std::string& why) {
   throw InputError(std::string(kName) + " " + why +
-                   ", expected bytes of fmi3SerializeFMUState of this FMU");
+                   ", expected bytes that an instance of this FMU has serialized");
 }
 
 class Writer {
@@ -83,6 +84,25 @@ class Reader {
   std::string_view rest_;
 };
 
+void add(const std::optional<WindCourse>& wind, Writer& writer) {
+  writer.add(std::uint64_t{wind.has_value()});
+  if (!wind) return;
+  writer.add(wind->begin);
+  writer.add(wind->end);
+  for (const Eigen::Vector3d* velocity : {&wind->velocity, &wind->target})
+    for (const double component : *velocity) writer.add(component);
+}
+
+std::optional<WindCourse> read_wind(Reader& reader) {
+  if (reader.number() == 0) return std::nullopt;
+  WindCourse wind;
+  wind.begin = reader.real();
+  wind.end = reader.real();
+  for (Eigen::Vector3d* velocity : {&wind.velocity, &wind.target})
+    for (double& component : *velocity) component = reader.real();
+  return wind;
+}
+
 /// Drives that inputs set; of the scenario's own the identity of the model knows all.
 enum class SetDrive : std::uint64_t { none, torque, speed };
 
@@ -137,6 +157,7 @@ std::string write_state(const ModelState& state, const std::string& token) {
     writer.add(std::string_view(load.load));
     writer.add(load.factor);
   }
+  add(state.courses.wind, writer);
   writer.add(std::string_view(make_checkpoint(state.simulation)));
   const std::string& bytes = writer.bytes();
   Writer hash;
@@ -179,6 +200,7 @@ ModelState read_state(std::string_view bytes, const std::string& token, const Dr
     load.load = reader.text();
     load.factor = reader.real();
   }
+  state.courses.wind = read_wind(reader);
   state.simulation = parse_checkpoint(reader.text(), kName).state;
   return state;
 }

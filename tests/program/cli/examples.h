@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// Returns the words of a line of a shell without quotes.
+/// Returns the words of a line of a shell; single quotes keep blanks within a word.
 std::vector<std::string> words_of(const std::string& line);
 
 struct Example {
@@ -14,5 +14,5 @@ struct Example {
 };
 
 /// Returns the examples of a document: blocks "sh" of commands, each with the block "text" behind
-/// it.
+/// it. A line of a command that ends in "\" goes on in the next.
 std::vector<Example> examples_of(const std::string& document);

@@ -42,8 +42,8 @@ TEST_CASE("fmu --help names every option, and the kinds of inputs") {
   const Ended ended = run_spoke({"fmu", "--help"}, folder);
   CHECK(ended.status == 0);
   for (const char* part : {"SCENARIO", "--out", "--input", "--output", "--set", "drive.torque",
-                           "drive.speed", "load.NAME", ".velocity", ".acceleration", "FMI 3.0",
-                           "Exit status:", "spoke fmu models/"}) {
+                           "drive.speed", "load.NAME", "wind.x", ".velocity", ".acceleration",
+                           "FMI 3.0", "--fmi 2", "Exit status:", "spoke fmu models/"}) {
     CAPTURE(part);
     CHECK(contains(ended.out, part));
   }
@@ -76,6 +76,9 @@ TEST_CASE("what cannot become an FMU is refused before anything is written") {
           "the output \"hub.sped\" is no sensor, did you mean \"hub.speed\"?");
   refused({"fmu", rotor, "--out", "a.fmu", "--output", "wind"}, "is no sensor");
   refused({"fmu", rotor, "--out", "a.fmu", "--inputs", "drive.speed"}, "--inputs");
+  for (const char* version : {"1", "4", "2.5", "two"})
+    refused({"fmu", rotor, "--out", "a.fmu", "--fmi", version}, "--fmi");
+  refused({"fmu", rotor, "--out", "a.fmu", "--input", "wind.x"}, "the input is \"wind.x\"");
 }
 
 TEST_CASE("without the library beside it, fmu says where it belongs") {

@@ -29,10 +29,12 @@ std::string unescape(std::string text) {
 
 LoadedFmu::LoadedFmu(const std::filesystem::path& folder)
     : folder_(folder), description_(file_text(folder / "modelDescription.xml")) {
-  token_ = attribute("instantiationToken");
+  const bool is_2 = attribute("fmiVersion") == "2.0";
+  token_ = attribute(is_2 ? "guid" : "instantiationToken");
   read_variables();
-  const std::filesystem::path file =
-      folder / "binaries" / SPOKE_FMU_PLATFORM / (attribute("modelIdentifier") + ".so");
+  const std::filesystem::path file = folder / "binaries" /
+                                     (is_2 ? SPOKE_FMU_PLATFORM_2 : SPOKE_FMU_PLATFORM) /
+                                     (attribute("modelIdentifier") + ".so");
   library_ = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (!library_) throw std::runtime_error(dlerror());
 }
@@ -54,7 +56,8 @@ std::string LoadedFmu::attribute(const std::string& name) const {
 
 void LoadedFmu::read_variables() {
   const std::regex variable(
-      "<Float64 name=\"([^\"]*)\" valueReference=\"([0-9]+)\"[^>]*causality=\"([a-z]+)\"");
+      "<(?:Float64|ScalarVariable) name=\"([^\"]*)\" "
+      "valueReference=\"([0-9]+)\"[^>]*causality=\"([a-z]+)\"");
   for (std::sregex_iterator it(description_.begin(), description_.end(), variable), end; it != end;
        ++it) {
     const std::string name = unescape((*it)[1]), causality = (*it)[3];

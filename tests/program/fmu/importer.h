@@ -2,6 +2,7 @@
 
 // A small importer of FMUs, written from the text of FMI 3.0 and not from Spoke's declarations: it
 // finds the functions by their names and calls them with the types that the standard gives them.
+// What it loads may be of FMI 2.0, too: importer_2.h has its instances.
 
 #include <cstddef>
 #include <cstdint>

@@ -42,18 +42,18 @@ TEST_CASE("an FMU holds description, library, licences and resources, and is the
   const fs::path file = folder / "pitched.toml";
   std::ofstream(file) << kPitchedRotor;
   const fmu::Fmu made = make(file);
-  CHECK(made.files == std::vector<std::string>{"modelDescription.xml",
-                                               fmu::binaries_folder() + "/my_rotor.so",
-                                               "documentation/licenses/license.txt",
-                                               "documentation/licenses/third_party.txt",
-                                               "resources/spoke.toml", "resources/pitched.toml"});
+  CHECK(made.files ==
+        std::vector<std::string>{
+            "modelDescription.xml", fmu::binaries_folder(fmu::FmiVersion::three) + "/my_rotor.so",
+            "documentation/licenses/license.txt", "documentation/licenses/third_party.txt",
+            "resources/spoke.toml", "resources/pitched.toml"});
   CHECK(make(file).bytes == made.bytes);
   unpack(made.bytes, folder.path() / "fmu");
   CHECK(file_text(folder.path() / "fmu/resources/pitched.toml") == kPitchedRotor);
   CHECK(file_text(folder.path() / "fmu/documentation/licenses/license.txt") ==
         file_text(fs::path(SPOKE_MODELS_DIR).parent_path() / "LICENSE"));
-  CHECK(file_text(folder.path() / "fmu" / fmu::binaries_folder() / "my_rotor.so") ==
-        file_text(SPOKE_FMU_LIBRARY_FILE));
+  CHECK(file_text(folder.path() / "fmu" / fmu::binaries_folder(fmu::FmiVersion::three) /
+                  "my_rotor.so") == file_text(SPOKE_FMU_LIBRARY_FILE));
   // Another model, other inputs or outputs: another token.
   const auto token = [&](const fmu::Fmu& other) {
     fs::remove_all(folder.path() / "other");

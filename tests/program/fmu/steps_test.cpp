@@ -37,7 +37,7 @@ TEST_CASE("an FMU has the bits of a simulation, from the start to beyond the sce
     Overrides overrides;
   };
   for (const Case& each :
-       {Case{kPitchedRotor, {}}, Case{kDrivenRotor, {}},
+       {Case{kPitchedRotor, {}}, Case{kDrivenRotor, {}}, Case{kBlownRotor, {}},
         Case{kDrivenRotor, {"integration.step=0.0173"}},  // shortened to divide the duration
         Case{kDrivenRotor,
              {"integration.step=2e-4", "integration.duration=0.0401", "integration.method=rk4"}},

@@ -22,7 +22,8 @@ std::vector<double> values_of(const Simulation& simulation) {
 }
 
 UnpackedFmu::UnpackedFmu(const std::string& scenario, const std::vector<std::string>& inputs,
-                         const std::vector<std::string>& outputs, const Overrides& overrides) {
+                         const std::vector<std::string>& outputs, const Overrides& overrides,
+                         fmu::FmiVersion version) {
   static int count = 0;
   folder_ = fs::temp_directory_path() /
             ("spoke_fmu_" + std::to_string(getpid()) + '_' + std::to_string(++count));
@@ -33,8 +34,9 @@ UnpackedFmu::UnpackedFmu(const std::string& scenario, const std::vector<std::str
   SimulationOptions serial;
   serial.executor = ExecutorKind::serial;
   const Simulation simulation(read_scenario(file.string(), overrides), serial);
-  unpack(fmu::make_fmu({file.string(), overrides, "rotor", SPOKE_FMU_LIBRARY_FILE, inputs, outputs},
-                       simulation)
+  unpack(fmu::make_fmu(
+             {file.string(), overrides, "rotor", SPOKE_FMU_LIBRARY_FILE, inputs, outputs, version},
+             simulation)
              .bytes,
          folder_);
   fs::remove(file);  // the FMU has one of its own
