@@ -17,6 +17,7 @@
 #include "program/fmu/resources.h"
 #include "tests/contains.h"
 #include "tests/message_of.h"
+#include "tests/models/air/bts_bytes.h"
 #include "tests/program/fmu/importer.h"
 #include "tests/program/fmu/unpacked_fmu.h"
 #include "tests/temporary_folder.h"
@@ -112,7 +113,7 @@ TEST_CASE("turbulence blows until wind is given, and then ends; states go back t
   CHECK(instance.outputs() == expected);
 }
 
-TEST_CASE("files of wind and aerofoils go with the scenario, and wind is known to a file's end") {
+TEST_CASE("files of wind and aerofoils go with the scenario, from wherever they are") {
   const TemporaryFolder folder;
   fs::create_directories(folder.path() / "a");
   std::ofstream(folder / "wing.txt") << "-180 0 0.02\n-20 -1.2 0.1\n0 0.1 0.01\n20 1.4 0.1\n"
@@ -143,6 +144,23 @@ TEST_CASE("files of wind and aerofoils go with the scenario, and wind is known t
   CHECK(instance.step(0.0, 0.25) == kOk);
   simulation.run_until(0.25);
   CHECK(instance.outputs() == values_of(simulation));
+}
+
+TEST_CASE("a simulation goes on beyond its duration as long as its file has wind") {
+  const TemporaryFolder folder;
+  const std::string file = (folder / "wind.bts").string();
+  BtsBytes{.identifier = 7, .n_t = 8}.write(file);  // of 2.05 s
+  const UnpackedFmu unpacked(kBlownRotor, {"wind.x"}, {"air.wind"},
+                             {"wind={file=\"" + file + "\",ground=-10}"});
+  fs::remove(file);
+  const LoadedFmu fmu(unpacked.folder());
+  FmuInstance instance(fmu);
+  CAPTURE(instance.last());
+  REQUIRE(instance.handle());
+  CHECK(instance.initialize() == kOk);
+  CHECK(instance.step(0.0, 2.0) == kOk);
+  CHECK(instance.step(2.0, kStep) == kError);
+  CHECK(contains(instance.last(), "as many steps as it can"));
 }
 
 TEST_CASE("an importer's controller of torque and pitch works on a turbine in wind") {
