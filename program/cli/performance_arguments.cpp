@@ -21,9 +21,8 @@ struct RangeOption {
   /// meets them.
   std::vector<double> parse(const std::string& text) const {
     constexpr double kMostSteps = 10000, kMost = 1e6;
-    const std::string expected = std::string("expected a number") +
-                                 (least >= 0.0 ? " above 0" : "") + " or FROM:TO:STEP, ascending" +
-                                 unit;
+    const std::string expected = std::string("a number") + (least >= 0.0 ? " above 0" : "") +
+                                 " or FROM:TO:STEP, ascending" + unit;
     const auto number = [&](const std::string& part) {
       return parse_number(name, part, least, kMost, expected);
     };
@@ -33,7 +32,7 @@ struct RangeOption {
       values = {number(text)};
     } else {
       const auto refuse = [&] {
-        throw CLI::ValidationError(name, expected + ", got \"" + text + '"');
+        throw CLI::ValidationError(name, "expected " + expected + ", got \"" + text + '"');
       };
       if (second == std::string::npos) refuse();
       const double from = number(text.substr(0, first));
@@ -46,7 +45,7 @@ struct RangeOption {
       for (int k = 0; k <= static_cast<int>(steps); ++k) values.push_back(from + k * step);
     }
     if (least >= 0.0 && values.front() == 0.0)
-      throw CLI::ValidationError(name, expected + ", got \"" + text + '"');
+      throw CLI::ValidationError(name, "expected " + expected + ", got \"" + text + '"');
     return values;
   }
 };

@@ -301,9 +301,9 @@ std::string write_results(const Simulation& simulation, const Recording& recordi
   write_file(folder / "summary.json",
              make_summary(simulation, recording.statistics, outcome, recording.rows));
   if (recording.report) {
-    write_file(folder / "report.html",
-               run_report::make_html(simulation, recording.statistics, outcome,
-                                     recording.tips.summarise(), *recording.report));
+    write_file(folder / "report.html", run_report::make_html(simulation, recording.statistics,
+                                                             outcome, recording.tips.summarise(),
+                                                             *recording.report, recording.rows));
     written += ", report.html";
   }
   if (recording.vtk)

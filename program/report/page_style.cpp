@@ -30,7 +30,7 @@ body {
 }
 main { max-width: 66rem; margin: 0 auto; padding: 3rem 1.5rem 4rem; }
 header { border-bottom: 1px solid var(--rule); margin-bottom: 2rem; padding-bottom: 1.25rem; }
-h1 { font-size: 1.9rem; line-height: 1.2; letter-spacing: -0.015em; margin: 0; }
+h1 { font-size: 1.9rem; line-height: 1.2; letter-spacing: -0.015em; margin: 0; text-wrap: balance; }
 header p { color: var(--soft); font-size: 1.05rem; margin: 0.5rem 0 0; max-width: none; }
 h2 { font-size: 1.25rem; line-height: 1.3; letter-spacing: -0.01em; margin: 2.75rem 0 0.75rem; }
 p { margin: 0.75rem 0; max-width: 46rem; overflow-wrap: anywhere; }

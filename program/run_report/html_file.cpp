@@ -13,6 +13,7 @@
 #include "program/report/run_script.h"
 #include "program/report/scene_markup.h"
 #include "program/run_report/energy_residual.h"
+#include "program/run_report/row_statistics.h"
 #include "program/run_report/sensor_range.h"
 
 namespace spoke::run_report {
@@ -73,8 +74,8 @@ Sample largest(const SensorRange& range) {
 
 std::vector<report::Tile> make_tiles(const Simulation& simulation,
                                      const SensorStatistics& statistics, const RunOutcome& outcome,
-                                     const TipSummary& tips) {
-  std::vector<report::Tile> tiles;
+                                     const TipSummary& tips, const RunStatistics& rows) {
+  std::vector<report::Tile> tiles = make_mean_tiles(simulation, rows);
   const bool is_in_space = simulation.scenario().space.has_value();
   if (!tips.when.empty())
     tiles.push_back({is_in_space ? "Largest tip displacement" : "Largest tip deflection",
@@ -243,7 +244,8 @@ std::string describe_data(const Recorder& recorder) {
 }  // namespace
 
 std::string make_html(const Simulation& simulation, const SensorStatistics& statistics,
-                      const RunOutcome& outcome, const TipSummary& tips, const Recorder& recorder) {
+                      const RunOutcome& outcome, const TipSummary& tips, const Recorder& recorder,
+                      const RunStatistics& rows) {
   const Scenario& scenario = simulation.scenario();
   report::Page page(
       scenario.title.empty() ? scenario.name : scenario.title,
@@ -251,7 +253,7 @@ std::string make_html(const Simulation& simulation, const SensorStatistics& stat
                   counted(simulation.steps(), "step"), number(simulation.step_size())));
   page.widen();
   add_warnings(page, simulation, statistics, outcome);
-  page.add_tiles(make_tiles(simulation, statistics, outcome, tips));
+  page.add_tiles(make_tiles(simulation, statistics, outcome, tips, rows));
   const bool has_animation = recorder.animation().times().size() > 1;
   if (has_animation) {
     page.add_heading("Motion");
@@ -260,6 +262,10 @@ std::string make_html(const Simulation& simulation, const SensorStatistics& stat
   page.add_heading("Over time");
   page.add_markup(plots_markup(has_animation));
   page.add_paragraph(describe_data(recorder));
+  if (rows.rows() > 0 && !rows.series().empty()) {
+    page.add_heading("Statistics");
+    page.add_table(make_statistics_table(simulation, rows));
+  }
   page.add_heading("What was run");
   page.add_fact_groups({model_facts(simulation), setting_facts(simulation), machine_facts()});
   page.add_heading("Extremes of the sensors");

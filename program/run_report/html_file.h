@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/results.h"
+#include "engine/run_statistics.h"
 #include "program/run_report/recorder.h"
 
 namespace spoke::run_report {
@@ -16,8 +17,9 @@ struct TipSummary {
   std::string when;      ///< "at 6.765 s (blades 1-3)"
 };
 
-/// Returns the page.
+/// Returns the page. `rows`: statistics of the recorder's rows; the page has those that there are.
 std::string make_html(const Simulation& simulation, const SensorStatistics& statistics,
-                      const RunOutcome& outcome, const TipSummary& tips, const Recorder& recorder);
+                      const RunOutcome& outcome, const TipSummary& tips, const Recorder& recorder,
+                      const RunStatistics& rows);
 
 }  // namespace spoke::run_report

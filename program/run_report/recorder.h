@@ -8,6 +8,7 @@
 
 #include "program/run_report/animation.h"
 #include "program/run_report/curves.h"
+#include "program/run_report/plots.h"
 
 namespace spoke::run_report {
 

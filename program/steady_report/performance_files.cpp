@@ -4,6 +4,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <cctype>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -31,6 +32,12 @@ struct Curve {
 
 constexpr double kDegree = 0.017453292519943295;
 
+/// Returns a text of ASCII with its first letter in upper case.
+std::string capitalised(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
 std::string with_unit(const Curve& curve) {
   return *curve.unit ? fmt::format("{} [{}]", curve.title, curve.unit) : curve.title;
 }
@@ -54,7 +61,7 @@ std::vector<report::LineSeries> make_series(const PerformanceResult& result, con
 
 std::string draw(const PerformanceResult& result, const Curve& curve) {
   report::LineChart chart;
-  chart.title = curve.title;
+  chart.title = capitalised(curve.title);
   chart.x.title = result.is_map ? "tip-speed ratio" : "wind at the hub [m/s]";
   chart.y.title = with_unit(curve);
   chart.series = make_series(result, curve);
@@ -160,16 +167,20 @@ std::string make_json(const PerformanceResult& result, const Scenario& scenario)
 std::string make_html(const PerformanceResult& result, const std::string& title) {
   report::Page page(title, result.is_map ? "Performance over tip-speed ratio and pitch"
                                          : "Performance over wind speed");
+  page.widen();
   std::vector<report::Tile> tiles;
   if (const PerformancePoint* best = find_best(result))
-    tiles.push_back({"greatest power coefficient", fmt::format("{:.4f}", best->power_coefficient),
+    tiles.push_back({"Greatest power coefficient", fmt::format("{:.4f}", best->power_coefficient),
                      fmt::format("at tip-speed ratio {:.4g}, pitch {:.3g} deg",
                                  best->tip_speed_ratio, plain_zero(best->pitch / kDegree))});
-  tiles.push_back({"radius", fmt::format("{:.6g} m", result.radius),
+  tiles.push_back({"Radius", fmt::format("{:.6g} m", result.radius),
                    result.is_rigid ? "rigid blades" : "elastic blades"});
-  tiles.push_back({"air", fmt::format("{:.6g} kg/m^3", result.density), "wind along the axis"});
+  tiles.push_back({"Density of the air", fmt::format("{:.6g} kg/m\u00b3", result.density),
+                   "wind along the axis"});
   page.add_tiles(tiles);
+  page.add_markup("<div class=\"side\">\n");
   for (const Curve& curve : choose_curves(result)) page.add_figure(draw(result, curve));
+  page.add_markup("</div>\n");
   page.add_table(make_performance_table(result));
   return page.html();
 }

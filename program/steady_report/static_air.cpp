@@ -4,6 +4,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <numbers>
 #include <utility>
 
 #include "engine/support/csv_cell.h"
@@ -13,36 +14,40 @@
 namespace spoke::steady_report {
 namespace {
 
-/// A value of a section, its name in files with its unit, and as charts show it.
+/// A value of a section, its name in files with its unit, and in charts.
 struct Quantity {
   const char* key;
   const char* title;
-  const char* unit;
   double SectionAir::*value;
 };
 
 constexpr Quantity kQuantities[] = {
-    {"angle_of_attack_rad", "angle of attack", "rad", &SectionAir::attack},
-    {"relative_speed_m_per_s", "relative speed", "m/s", &SectionAir::relative_speed},
-    {"axial_induction", "axial induction", "", &SectionAir::axial_induction},
-    {"tangential_induction", "tangential induction", "", &SectionAir::tangential_induction},
-    {"lift_coefficient", "lift", "", &SectionAir::lift},
-    {"drag_coefficient", "drag", "", &SectionAir::drag},
-    {"moment_coefficient", "moment", "", &SectionAir::moment},
-    {"axial_force_N_per_m", "along the axis", "N/m", &SectionAir::axial_force},
-    {"tangential_force_N_per_m", "in the direction of the turn", "N/m",
-     &SectionAir::tangential_force},
-    {"pitching_moment_N", "pitching moment", "N", &SectionAir::pitching_moment}};
+    {"angle_of_attack_rad", "angle of attack", &SectionAir::attack},
+    {"relative_speed_m_per_s", "relative speed", &SectionAir::relative_speed},
+    {"axial_induction", "axial induction", &SectionAir::axial_induction},
+    {"tangential_induction", "tangential induction", &SectionAir::tangential_induction},
+    {"lift_coefficient", "lift", &SectionAir::lift},
+    {"drag_coefficient", "drag", &SectionAir::drag},
+    {"moment_coefficient", "moment", &SectionAir::moment},
+    {"axial_force_N_per_m", "along the axis", &SectionAir::axial_force},
+    {"tangential_force_N_per_m", "in the direction of the turn", &SectionAir::tangential_force},
+    {"pitching_moment_N", "pitching moment", &SectionAir::pitching_moment}};
+
+/// Quantities that share a chart: from `first` on, before `last`, times `factor`.
+struct Group {
+  std::size_t first, last;
+  double factor = 1.0;
+};
 
 /// Draws some of the quantities of a blade over its stations.
-void add_chart(const BladeEquilibrium& blade, const char* title, report::Axis value,
-               std::size_t first, std::size_t last, report::Page& page) {
+void add_chart(const BladeEquilibrium& blade, const char* title, report::Axis value, Group group,
+               report::Page& page) {
   report::LineChart chart{
       .title = title, .x = {.title = "distance from the root", .unit = "m"}, .y = std::move(value)};
-  for (std::size_t k = first; k < last; ++k) {
+  for (std::size_t k = group.first; k < group.last; ++k) {
     report::LineSeries line{.name = kQuantities[k].title};
     for (const SectionAir& section : blade.air)
-      line.points.push_back({section.station, section.*kQuantities[k].value});
+      line.points.push_back({section.station, group.factor * section.*kQuantities[k].value});
     chart.series.push_back(std::move(line));
   }
   page.add_figure(render(chart), "Of " + blade.name + ".");
@@ -94,10 +99,13 @@ std::string make_air_csv(const EquilibriumResult& result) {
 void add_air_charts(const EquilibriumResult& result, report::Page& page) {
   for (const BladeEquilibrium& blade : result.blades) {
     if (blade.air.empty()) continue;
-    add_chart(blade, "Angle of attack", {.title = "angle of attack", .unit = "rad"}, 0, 1, page);
-    add_chart(blade, "Induction", {.title = "induction factor"}, 2, 4, page);
-    add_chart(blade, "Coefficients", {.title = "coefficient"}, 4, 7, page);
-    add_chart(blade, "Forces by length", {.title = "force by length", .unit = "N/m"}, 7, 9, page);
+    add_chart(blade, "Angle of attack", {.title = "angle of attack", .unit = "deg"},
+              {0, 1, 180.0 / std::numbers::pi}, page);
+    add_chart(blade, "Relative speed", {.title = "relative speed", .unit = "m/s"}, {1, 2}, page);
+    add_chart(blade, "Induction factors", {.title = "induction factor"}, {2, 4}, page);
+    add_chart(blade, "Coefficients of lift, drag and moment", {.title = "coefficient"}, {4, 7},
+              page);
+    add_chart(blade, "Forces by length", {.title = "force by length", .unit = "N/m"}, {7, 9}, page);
     return;
   }
 }

@@ -13,12 +13,11 @@
 #include "engine/support/csv_cell.h"
 #include "engine/support/plain_zero.h"
 #include "models/space/rotation_vector.h"
-#include "models/space/solid.h"
 #include "models/support/json.h"
-#include "program/report/chart.h"
 #include "program/report/scene_markup.h"
 #include "program/report/static_script.h"
 #include "program/steady_report/static_air.h"
+#include "program/steady_report/static_deflections.h"
 #include "program/steady_report/steady_scene.h"
 
 namespace spoke::steady_report {
@@ -126,46 +125,6 @@ Json blade_json(const BladeEquilibrium& blade) {
                {"undeformed_nodes_m", nodes_json(blade.undeformed)}};
   if (!blade.air.empty()) json.set("air", section_air_json(blade));
   return json;
-}
-
-/// The component of a node's deflection that a line shows.
-enum class Direction { lag, flap };
-
-/// Plots the deflections of a blade's nodes along the axis of rotation, or in the plane across the
-/// blade.
-/// Whether a node of a blade is one of a beam or a rigid body, or the frame or a place of a solid;
-/// others of a solid are in no row. `first`: that of its body.
-bool is_in_row(const BladeEquilibrium& blade, std::size_t node, std::size_t first) {
-  for (const SolidDeformation& solid : blade.solids)
-    if (solid.body == blade.bodies[node]) return node - first <= solid.solid->places.size();
-  return true;
-}
-
-report::LineSeries deflection_line(const BladeEquilibrium& blade, Direction direction) {
-  report::LineSeries line{.name = blade.name};
-  const Vector3d along = (blade.undeformed.back() - blade.undeformed.front()).normalized();
-  const Vector3d axis =
-      direction == Direction::flap ? Vector3d::UnitZ() : Vector3d(Vector3d::UnitZ().cross(along));
-  std::size_t first = 0;
-  for (std::size_t k = 0; k < blade.nodes.size(); ++k) {
-    if (blade.bodies[k] != blade.bodies[first]) first = k;
-    if (!is_in_row(blade, k, first)) continue;
-    const Vector3d& from = blade.undeformed[k];
-    line.points.push_back({from.norm(), axis.dot(blade.nodes[k] - from)});
-  }
-  return line;
-}
-
-void add_chart(const EquilibriumResult& result, Direction direction, const std::string& title,
-               report::Page& page) {
-  report::LineChart chart{.title = title,
-                          .x = {.title = "distance from the hub", .unit = "m"},
-                          .y = {.title = "deflection", .unit = "m"}};
-  constexpr std::size_t kMost = 6;  // number of lines that can be told apart
-  for (const BladeEquilibrium& blade : result.blades)
-    if (blade.nodes.size() > 1 && chart.series.size() < kMost)
-      chart.series.push_back(deflection_line(blade, direction));
-  if (!chart.series.empty()) page.add_figure(render(chart));
 }
 
 std::string make_data(const EquilibriumResult& result, const Scenario& scenario) {
@@ -286,9 +245,10 @@ std::string make_html(const EquilibriumResult& result, const Scenario& scenario,
   for (const Warning& warning : result.warnings)
     page.add_note(warning.text + ".", report::Tone::warning);
   page.add_facts(make_facts(result));
-  add_chart(result, Direction::flap, "Deflection along the axis of rotation", page);
-  add_chart(result, Direction::lag, "Deflection in the plane of rotation", page);
+  page.add_markup("<div class=\"side\">\n");
+  add_deflection_charts(result, page);
   if (result.air) add_air_charts(result, page);
+  page.add_markup("</div>\n");
   page.add_table(make_tip_table(result));
   if (const report::Table joints = make_joint_table(result); !joints.rows.empty())
     page.add_table(joints);

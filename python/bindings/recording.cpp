@@ -173,8 +173,8 @@ std::string Recording::make_summary() {
 std::string Recording::make_page() {
   if (!recorder_) throw StateError("no page: the run was made with report=False");
   return at_last_step([&] {
-    return run_report::make_html(*simulation_, statistics_, outcome_, tips_.summarise(),
-                                 *recorder_);
+    return run_report::make_html(*simulation_, statistics_, outcome_, tips_.summarise(), *recorder_,
+                                 row_statistics_);
   });
 }
 

@@ -255,3 +255,30 @@ test('the page of a large model stays small and works', () => {
     assert.ok((await countPixels(opened.locator('#animation-hub'))) > 1000);
   });
 });
+
+test('a turbine in wind has plots of the air, and the statistics of summary.json', () => {
+  const out = run('nrel_5mw_in_wind', '--set', 'integration.duration=2', '--set', 'wind.turbulence.duration=20');
+  const { statistics } = JSON.parse(readFileSync(join(out, 'summary.json'), 'utf8'));
+  return withPage(join(out, 'report.html'), {}, async (page) => {
+    const titles = await page.$$eval('.plot figcaption strong', (found) => found.map((title) => title.textContent));
+    for (const title of ['Wind at the hub along the axis', 'Thrust of the air', 'Power of the air', 'Pitch by control', 'Support: root.force.z'])
+      assert.ok(titles.includes(title), title);
+    assert.match(await plotOf(page, 'Hub speed').textContent(), /speed/);
+    const legend = await page.locator('.plot').filter({ has: page.getByText('root.force.z', { exact: true }) }).locator('.legend').textContent();
+    assert.ok(legend.includes('blade 1') && !legend.includes('support'), legend);
+    const table = page.locator('table').filter({ hasText: 'damage-equivalent range' });
+    const rows = await table.locator('tbody tr').evaluateAll((found) =>
+      found.map((row) => [...row.querySelectorAll('td')].map((cell) => cell.textContent)));
+    assert.deepEqual(rows.map(([name]) => name), Object.keys(statistics.sensors));
+    for (const [name, unit, ...numbers] of rows) {
+      const of = statistics.sensors[name];
+      assert.equal(unit, of.unit);
+      const expected = [of.mean, of.standard_deviation, of.min, of.max];
+      if ('damage_equivalent_range' in of) expected.push(of.damage_equivalent_range);
+      else assert.equal(numbers.pop(), '');
+      assert.deepEqual(numbers.map(Number), expected.map((value) => Number(value.toPrecision(6))), name);
+    }
+    const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    assert.ok(overflow <= 0, `wider than the window by ${overflow}`);
+  });
+});

@@ -22,9 +22,15 @@ function solve(command, name, ...options) {
 
 const campbell = solve('campbell', 'articulated_rotor', '--speeds', '0:44:4', '--count', '4');
 const equilibrium = solve('static', 'nrel_5mw_rotor');
+const turbine = solve('static', 'nrel_5mw_in_wind', '--speed', '1.267');
+const performance = solve('performance', 'nrel_5mw_in_wind', '--wind', '8:12:4', '--rigid');
 const free = solve('modes', 'satellite_booms', '--speed', '0', '--count', '12');
 
-const pages = [join(campbell, 'campbell.html'), join(equilibrium, 'static.html'), join(free, 'modes.html')];
+const pages = [join(campbell, 'campbell.html'), join(equilibrium, 'static.html'), join(free, 'modes.html'),
+  join(turbine, 'static.html'), join(performance, 'performance.html')];
+
+/** Titles of the charts of a page. */
+const titlesOf = (page) => page.$$eval('svg.chart .title', (found) => found.map((title) => title.textContent));
 for (const scheme of ['light', 'dark'])
   for (const width of [400, 1280])
     test(`pages fit into ${width} pixels, ${scheme}`, async () => {
@@ -93,4 +99,31 @@ test('a chosen mode moves, the free hub too, and stops', () =>
     assert.equal(await picture(view), stopped);
     await page.locator('#mode-amplitude').fill('0');
     assert.notEqual(await picture(view), stopped);
+  }));
+
+test('a turbine in equilibrium has charts along blade and support, with the values of static.json', () =>
+  withStillPage(pages[3], {}, async (page) => {
+    assert.deepEqual(await titlesOf(page), ['Deflection along the axis of rotation', 'Deflection in the plane of rotation',
+      'Displacement of the support', 'Angle of attack', 'Relative speed', 'Induction factors',
+      'Coefficients of lift, drag and moment', 'Forces by length']);
+    const { blades } = JSON.parse(readFileSync(join(turbine, 'static.json'), 'utf8'));
+    const charts = page.locator('svg.chart');
+    const attack = (await charts.nth(3).locator('g title').allTextContents()).filter((text) => text.includes('attack '));
+    assert.equal(attack.length, blades[0].air.length);
+    blades[0].air.forEach((section, k) => {
+      const found = Number(attack[k].match(/(-?[\d.e-]+) deg$/)[1]);
+      const expected = (section.angle_of_attack_rad * 180) / Math.PI;
+      assert.ok(Math.abs(found - expected) <= 6e-3 * Math.abs(expected), `${attack[k]}, not ${expected}`);
+    });
+    assert.match(await page.locator('figure').filter({ hasText: 'Deflection along' }).textContent(), /Of blade 1, blade 2, blade 3/);
+    assert.match(await charts.nth(2).textContent(), /along x.*along z/s);
+  }));
+
+test('the page of performance has curves and a table of its points', () =>
+  withStillPage(pages[4], {}, async (page) => {
+    assert.deepEqual(await titlesOf(page), ['Power', 'Thrust', 'Speed', 'Pitch', 'Power coefficient', 'Thrust coefficient']);
+    const { points } = JSON.parse(readFileSync(join(performance, 'performance.json'), 'utf8'));
+    const rows = await page.locator('tbody tr').evaluateAll((found) =>
+      found.map((row) => [...row.querySelectorAll('td')].map((cell) => Number(cell.textContent))));
+    assert.deepEqual(rows.map((row) => row[4]), points.map((point) => Number((point.power_W / 1000).toPrecision(6))));
   }));

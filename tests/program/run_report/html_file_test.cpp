@@ -1,10 +1,12 @@
 #include "program/run_report/html_file.h"
 
 #include <doctest/doctest.h>
+#include <spdlog/fmt/fmt.h>
 
 #include <nlohmann/json.hpp>
 
 #include "program/report/markup.h"
+#include "program/run_report/row_statistics.h"
 #include "tests/approx.h"
 #include "tests/engine/space/system/models.h"
 #include "tests/program/run_report/scenarios.h"
@@ -22,6 +24,7 @@ struct Run {
   explicit Run(const Scenario& scenario)
       : simulation(scenario, test_options()),
         statistics(simulation.sensor_names().size()),
+        rows(simulation),
         recorder(simulation) {
     add();
     for (int k = 0; k < 20; ++k) {
@@ -31,12 +34,17 @@ struct Run {
   }
   void add() {
     statistics.add(simulation.time(), simulation.sensor_values());
+    rows.add_row(simulation.time(), simulation.sensor_values());
     recorder.add_row(simulation.time(), simulation.sensor_values());
     recorder.add_picture(simulation);
+  }
+  std::string page(const TipSummary& tips = {}) const {
+    return make_html(simulation, statistics, {0.5, ""}, tips, recorder, rows);
   }
 
   Simulation simulation;
   SensorStatistics statistics;
+  RunStatistics rows;
   Recorder recorder;
 };
 
@@ -67,11 +75,12 @@ TEST_CASE("a page without a moving picture does not speak of one") {
   statistics.add(0.0, simulation.sensor_values());
   Recorder recorder(simulation);
   recorder.add_row(0.0, simulation.sensor_values());
-  const std::string still = make_html(simulation, statistics, {0.5, ""}, {}, recorder);
+  const std::string still =
+      make_html(simulation, statistics, {0.5, ""}, {}, recorder, RunStatistics(simulation));
   CHECK(still.find("Drag to zoom, double-click to reset. With the keyboard") != std::string::npos);
   CHECK(still.find("animation there") == std::string::npos);
   const Run run(test_scenario());
-  const std::string moving = make_html(run.simulation, run.statistics, {0.5, ""}, {}, run.recorder);
+  const std::string moving = run.page();
   CHECK(moving.find("click to move the animation there") != std::string::npos);
 }
 
@@ -82,8 +91,7 @@ TEST_CASE("a run in space has a moving picture, and its largest tip displacement
   const json data = json::parse(make_data(run.recorder));
   CHECK(data["scene"]["isPlanar"] == false);
   CHECK(data["scene"]["joints"].size() == 5);
-  const std::string html =
-      make_html(run.simulation, run.statistics, {0.5, ""}, {0.125, "at 1 s (arm)"}, run.recorder);
+  const std::string html = run.page({0.125, "at 1 s (arm)"});
   CHECK(html.find("Largest tip displacement") != std::string::npos);
   CHECK(html.find("at 1 s (arm)") != std::string::npos);
   CHECK(html.find("id=\"animation-inertial\"") != std::string::npos);
@@ -98,42 +106,9 @@ TEST_CASE("deflections across and along the blade have the blade's directions") 
   CHECK(across.value < 0.0);  // lags behind
 }
 
-TEST_CASE("only a free hub has a plot of its place") {
-  Scenario scenario = test_scenario();
-  CHECK(make_plots(Simulation(scenario, test_options())).size() == 8);
-  scenario.rotor.hub.support = HubSupport::free;
-  scenario.rotor.hub.mass = 10.0;
-  const auto plots = make_plots(Simulation(scenario, test_options()));
-  REQUIRE(plots.size() == 9);
-  CHECK(plots[4].title == "Place of the hub");
-}
-
-TEST_CASE("roots and the scenario's own sensors have plots") {
-  Scenario scenario = test_scenario();
-  scenario.sensors.resize(3);
-  scenario.sensors[0].name = "mid";
-  scenario.sensors[0].position = 3.0;
-  scenario.sensors[1].quantity = SensorQuantity::kinetic_energy;
-  scenario.sensors[1].blade = BladeChoice::number(2);
-  scenario.sensors[2].quantity = SensorQuantity::momentum;
-  const Simulation simulation(scenario, test_options());
-  const auto plots = make_plots(simulation);
-  REQUIRE(plots.size() == 8 + 3 + 1 + 3);
-  CHECK(plots[7].title == "Bending moment at the root");
-  CHECK(plots[7].channels[1].first == simulation.sensor_index("blade2.root.moment"));
-  CHECK(plots[9].title == "mid.y");
-  CHECK(plots[9].unit == "m");
-  CHECK(plots[9].channels[1].first == simulation.sensor_index("blade2.mid.y"));
-  REQUIRE(plots[11].channels.size() == 1);
-  CHECK(plots[11].channels[0].name == "blade 2");
-  CHECK(plots[11].channels[0].first == simulation.sensor_index("blade2.kinetic_energy"));
-  CHECK(plots[14].channels[0].first == simulation.sensor_index("momentum.angular"));
-}
-
 TEST_CASE("the page has the model's numbers, settings and extremes, and escapes the title") {
   const Run run(test_scenario());
-  const std::string html = make_html(run.simulation, run.statistics, {0.5, ""},
-                                     {largest_lag(run), "at 1 s (blades 1-2)"}, run.recorder);
+  const std::string html = run.page({largest_lag(run), "at 1 s (blades 1-2)"});
   for (const char* part :
        {"two &lt;/script&gt; blades", "2 s in 200 steps of 0.01 s", "at 1 s (blades 1-2)",
         "beam elements</dt><dd>12<", "structured", "blade2.tip.y",
@@ -156,8 +131,42 @@ TEST_CASE("a failure is told at the top, and advice is that of the warnings alon
   std::vector<double> values(run.simulation.sensor_names().size(), 1.0);
   statistics.add(2.0, values);  // residual as large as the kinetic energy
   const std::string html =
-      make_html(run.simulation, statistics, {0.5, "blade 1 <left>"}, {}, run.recorder);
+      make_html(run.simulation, statistics, {0.5, "blade 1 <left>"}, {}, run.recorder, run.rows);
   CHECK(html.find("<div class=\"note bad\">\n<p>blade 1 &lt;left&gt;</p>") != std::string::npos);
   CHECK(run.simulation.warnings().empty());
   CHECK(html.find("<div class=\"note warning\">") == std::string::npos);
+}
+
+TEST_CASE("a run in air has the statistics of its rows, other runs have none") {
+  Scenario scenario = parse_scenario(make_text(kDrivenHub, kBooms + kAir), "test");
+  scenario.integration.duration = 2.0;
+  const Run run(scenario);
+  const std::string html = run.page();
+  CHECK(html.find("Over 21 rows of sensors.csv from 0 to 2 s.") != std::string::npos);
+  CHECK(html.find("damage in that time, by rainflow counting and exponent 10") !=
+        std::string::npos);
+  const auto find = [&](const std::string& name) {
+    for (const SensorSeries& series : run.rows.series())
+      if (run.simulation.sensor_names()[series.sensor] == name) return series;
+    FAIL("no series ", name);
+    return SensorSeries{};
+  };
+  const auto row = [&](const std::string& name) {
+    std::string cells;
+    for (const report::Row& each : make_statistics_table(run.simulation, run.rows).rows)
+      if (each.cells[0] == name)
+        for (const std::string& cell : each.cells) cells += cell + '|';
+    return cells;
+  };
+  const SeriesStatistics power = find("air.power").values;
+  CHECK(row("air.power") == fmt::format("air.power|W|{:.6g}|{:.6g}|{:.6g}|{:.6g}||", power.mean(),
+                                        power.deviation(), power.min(), power.max()));
+  const double range = run.rows.equivalent_range(find("blade2.root.moment.y"));
+  CHECK(range > 0.0);
+  CHECK(row("blade2.root.moment.y").ends_with(fmt::format("|{:.6g}|", range)));
+  CHECK(html.find("<strong>" + report::quantity(power.mean(), "W", 4)) != std::string::npos);
+
+  const std::string without = Run(test_scenario()).page();
+  CHECK(without.find("Statistics") == std::string::npos);
+  CHECK(without.find("Mean power") == std::string::npos);
 }
