@@ -70,8 +70,9 @@ void note_theory(KeyedLines& reader, FoundModel& model) {
   model.left_out.push_back(
       file +
       ": the tower's influence and drag, buoyancy, noise, cavitation, drag in the induction, "
-      "parameters of the unsteady models, constants of the skewed wake, direction of the sections "
-      "(BlCrvAng), which is that of the blade's axis, and outputs; blade 1 stands for all");
+      "interpolation of polars that is not linear, parameters of the unsteady models, constants of "
+      "the skewed wake, direction of the sections (BlCrvAng), which is that of the blade's axis, "
+      "and outputs; blade 1 stands for all");
   for (const char* key : {"TipLoss", "HubLoss", "TanInd"})
     if (is_off(reader, key))
       model.left_out.push_back(std::string(key) + " False, " + reader.lines().place() +
