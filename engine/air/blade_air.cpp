@@ -11,7 +11,6 @@
 #include "engine/air/annulus.h"
 #include "engine/air/inflow.h"
 #include "engine/air/section_flow.h"
-#include "engine/air/station_state.h"
 
 namespace spoke::air {
 namespace {

@@ -9,14 +9,13 @@
 #include <vector>
 
 #include "engine/air/rotor_place.h"
+#include "engine/air/station_state.h"
 #include "engine/load.h"
 #include "models/air.h"
 #include "models/air/section_polar.h"
 #include "spoke/export.h"
 
 namespace spoke::air {
-
-struct InducedFlow;
 
 /// What the air does at a station. Its local axes lie in the section's plane: "axial" is the
 /// rotor's axis projected onto that plane, "tangential" is normal to it, positive in the direction
@@ -37,11 +36,6 @@ struct StationAir {
   double axial_force, tangential_force, pitching_moment;
   double axial_moment;  ///< that moment's part about the rotor's axis, in the direction of the turn
 };
-
-/// Doubles of state per station: of the inflow its intermediate and its induced velocity (axial,
-/// tangential), the quasi-steady induced velocity at the beginning and the rate of the first filter
-/// there; of the stall the separation point, its steady value at the beginning and the rate there.
-inline constexpr std::size_t kStates = 10;
 
 /// Constants of the air on one blade. Made once; evaluated without allocation, by several threads
 /// at a time.

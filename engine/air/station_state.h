@@ -3,13 +3,18 @@
 // The states of inflow and stall at a station, as BladeAir::evaluate() receives and returns them.
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 
 #include "engine/air/annulus.h"
-#include "engine/air/blade_air.h"
 #include "engine/air/inflow.h"
 
 namespace spoke::air {
+
+/// Doubles of state per station: of the inflow its intermediate and its induced velocity (axial,
+/// tangential), the quasi-steady induced velocity at the beginning and the rate of the first filter
+/// there; of the stall the separation point, its steady value at the beginning and the rate there.
+inline constexpr std::size_t kStates = 10;
 
 /// The state of a station.
 struct StationState {

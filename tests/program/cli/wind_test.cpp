@@ -45,13 +45,13 @@ TEST_CASE("a run in wind of a file is not resumed in another") {
   const std::string scenario = shipped("nrel_5mw_in_wind");
   const std::string wind = wind_of(folder.write("wind.txt", "0 12\n"));
   const Ended ended =
-      run_spoke({"run", scenario, "--set", wind, "--set", "integration.duration=0.05",
+      run_spoke({"run", scenario, "--set", wind, "--set", "integration.duration=0.06",
                  "--checkpoint-every", "1000", "--no-report", "--out", "first"},
                 folder);
   REQUIRE(ended.status == 0);
   folder.write("wind.txt", "0 13\n");
   const Ended resumed =
-      run_spoke({"run", scenario, "--set", wind, "--set", "integration.duration=0.1", "--no-report",
+      run_spoke({"run", scenario, "--set", wind, "--set", "integration.duration=0.12", "--no-report",
                  "--resume", "first/checkpoint.spoke"},
                 folder);
   CHECK(resumed.status == 2);

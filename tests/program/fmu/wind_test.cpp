@@ -171,6 +171,7 @@ TEST_CASE("an importer's controller of torque and pitch works on a turbine in wi
                       "blade.bodies=1",
                       "blade.elements=3",
                       "support.body.1.elements=3",
+                      "integration.step=0.01",
                       "integration.duration=2"};
   const Words pitches{"blade1.pitch.velocity", "blade2.pitch.velocity", "blade3.pitch.velocity"};
   Words inputs{"drive.torque", "wind.x"};
