@@ -9,7 +9,7 @@ namespace spoke::spatial {
 
 Eigen::Vector3d find_hub_place(const Model& model) {
   if (!model.support) return Eigen::Vector3d::Zero();
-  const Eigen::Vector3d from_base = calc_placements(build_trees(model).back()).back().position;
+  Eigen::Vector3d from_base = calc_placements(build_trees(model).back()).back().position;
   if (model.support->from == SupportBase::ground) return from_base;
   const Fuselage& fuselage = model.support->fuselage;
   return fuselage.position + space::exponential(fuselage.attitude).axes * from_base;
