@@ -176,7 +176,9 @@ std::unique_ptr<SteadyModel> make_steady_model(const Scenario& scenario,
                                                const SteadyOptions& options) {
   if (!scenario.space) return make_planar(scenario, options);
   if (has_changing_wind(scenario))
-    return make_spatial(in_mean_wind(scenario, options.instant), options);
+    return make_spatial(in_mean_wind(scenario, options.instant,
+                                     options.is_whole ? WindPlaces::all : WindPlaces::hub),
+                        options);
   return make_spatial(scenario, options);
 }
 
@@ -184,7 +186,7 @@ std::unique_ptr<SteadyModel> make_rotor_model(const Scenario& scenario,
                                               const SteadyOptions& options) {
   assert(scenario.space);
   if (has_changing_wind(scenario))
-    return make_rotor_model(in_mean_wind(scenario, options.instant), options);
+    return make_rotor_model(in_mean_wind(scenario, options.instant, WindPlaces::hub), options);
   if (!scenario.space->support) return make_spatial(scenario, options);
   const std::shared_ptr<const Machine> machine = make_machine(*scenario.space, options);
   const spatial::Placement hub = calc_placements(machine->support_tree.front()).back();

@@ -16,7 +16,7 @@ bool has_changing_wind(const Scenario& scenario) {
   return !(wind == uniform);
 }
 
-Scenario in_mean_wind(const Scenario& scenario, Instant instant) {
+Scenario in_mean_wind(const Scenario& scenario, Instant instant, WindPlaces places) {
   assert(has_changing_wind(scenario));
   Wind wind = scenario.space->air->wind;
   if (wind.speed && instant == Instant::end) wind.speed = Curve(wind.speed->values().back());
@@ -27,7 +27,13 @@ Scenario in_mean_wind(const Scenario& scenario, Instant instant) {
   }
   Scenario calm = scenario;
   calm.space->air->wind = Wind{};
-  calm.space->air->wind.velocity = make_wind(wind)->mean(spatial::find_hub_place(*scenario.space));
+  const auto field = make_wind(wind);
+  calm.space->air->wind.velocity = field->mean(spatial::find_hub_place(*scenario.space));
+  if (places == WindPlaces::all)
+    calm.space->air->wind = {
+        .by_program = true, .field = make_wind_field([field](const Eigen::Vector3d& place, double) {
+                              return field->mean(place);
+                            })};
   return calm;
 }
 

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -205,6 +206,12 @@ class SteadyModel {
   /// Holds induced velocities and separation on a subsystem at those of the state that was
   /// evaluated last, or lets them follow every state at once again.
   virtual void hold_air(std::size_t subsystem, bool holds) = 0;
+  /// Holds them at states that advance_air() returned.
+  virtual void hold_air_at(std::size_t subsystem, std::span<const double> states) = 0;
+  /// Holds them as they are a time `elapsed` [s] behind where they are held, at the state that was
+  /// evaluated last; inputs are linear meanwhile. Held nowhere: in equilibrium. Returns them; none:
+  /// no air acts.
+  virtual std::vector<double> advance_air(std::size_t subsystem, double elapsed) = 0;
 
   /// Adds a motion about the axis to the hub's steady rotation, besides which the offsets of all
   /// that follows are: its turn, its speed, and its acceleration.

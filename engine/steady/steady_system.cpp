@@ -73,7 +73,7 @@ SteadySystem<World>::SteadySystem(const SystemMaker<World>& maker,
     if (!is_prescribed(hub_, c)) free_.push_back(c);
   const bool is_axial = (speed_ != 0.0 || options.is_axial) && !options.is_whole;
   loads_.emplace(context_.system, is_axial, options.instant);
-  if (context_.system.wind) blow(is_axial);
+  if (context_.system.wind) blow(is_axial, options.is_whole);
   hold_anchors(context_.system, speed_ != 0.0, options.instant);
   context_.system.hub.support = HubSupport::axle;
   hold_hub();
@@ -92,12 +92,12 @@ SteadySystem<World>::SteadySystem(const SystemMaker<World>& maker,
   set_undeformed();
 }
 
-/// Takes the wind at the hub for that of all places.
+/// Takes the wind at the hub for that of all places, unless it counts in full.
 template <class World>
-void SteadySystem<World>::blow(bool is_axial) {
+void SteadySystem<World>::blow(bool is_axial, bool is_whole) {
   if constexpr (std::is_same_v<World, Space>) {
     System<Space>& system = context_.system;
-    wind_ = std::make_shared<SteadyWind>(system.wind->velocity(Eigen::Vector3d::Zero(), 0.0));
+    wind_ = std::make_shared<SteadyWind>(system.wind, is_whole);
     if (is_axial) wind_->keep_axial(make_rotation(system.hub.orientation).axes.col(2));
     system.wind = wind_;
   }
@@ -111,6 +111,23 @@ void SteadySystem<World>::hold_air(std::size_t subsystem, bool holds) {
     keep_air(own);
   else
     own.air->states.back() = 0.0;
+}
+
+template <class World>
+void SteadySystem<World>::hold_air_at(std::size_t subsystem, std::span<const double> states) {
+  SubsystemData<World>& own = data(subsystem);
+  if (!own.air) return;
+  assert(states.size() == own.air->states.size());
+  std::copy(states.begin(), states.end(), own.air->states.begin());
+}
+
+template <class World>
+std::vector<double> SteadySystem<World>::advance_air(std::size_t subsystem, double elapsed) {
+  SubsystemData<World>& own = data(subsystem);
+  if (!own.air) return {};
+  evaluate_air(0.0, elapsed, context_.system, subsystem, own);
+  keep_air(own);
+  return {own.air->states.begin(), own.air->states.end()};
 }
 
 template <class World>
@@ -372,6 +389,8 @@ template bool SteadySystem<Plane>::has_torque_drive() const;
 template Eigen::Matrix3d SteadySystem<Plane>::root_axes(std::size_t, int) const;
 template void SteadySystem<Plane>::set_share(double);
 template void SteadySystem<Plane>::hold_air(std::size_t, bool);
+template void SteadySystem<Plane>::hold_air_at(std::size_t, std::span<const double>);
+template std::vector<double> SteadySystem<Plane>::advance_air(std::size_t, double);
 template void SteadySystem<Plane>::move_hub(double, double, double);
 template Eigen::VectorXd SteadySystem<Plane>::initial(std::size_t) const;
 template void SteadySystem<Plane>::settle(std::size_t, Eigen::VectorXd&);
@@ -394,6 +413,8 @@ template bool SteadySystem<Space>::has_torque_drive() const;
 template Eigen::Matrix3d SteadySystem<Space>::root_axes(std::size_t, int) const;
 template void SteadySystem<Space>::set_share(double);
 template void SteadySystem<Space>::hold_air(std::size_t, bool);
+template void SteadySystem<Space>::hold_air_at(std::size_t, std::span<const double>);
+template std::vector<double> SteadySystem<Space>::advance_air(std::size_t, double);
 template void SteadySystem<Space>::move_hub(double, double, double);
 template Eigen::VectorXd SteadySystem<Space>::initial(std::size_t) const;
 template void SteadySystem<Space>::settle(std::size_t, Eigen::VectorXd&);

@@ -20,7 +20,7 @@
 namespace spoke::steady {
 
 /// Makes the system of a world, and places the scenario's sensors in its table. The wind of a
-/// system in air is that at its hub.
+/// system in air is the same at every time.
 template <class World>
 struct SystemMaker {
   std::function<void(System<World>&)> fill;
@@ -55,6 +55,8 @@ class SteadySystem final : public SteadyModel {
   bool has_torque_drive() const override;
   void set_share(double share) override;
   void hold_air(std::size_t subsystem, bool holds) override;
+  void hold_air_at(std::size_t subsystem, std::span<const double> states) override;
+  std::vector<double> advance_air(std::size_t subsystem, double elapsed) override;
   void move_hub(double turn, double rate, double acceleration) override;
   Eigen::VectorXd initial(std::size_t subsystem) const override;
   void settle(std::size_t subsystem, Eigen::VectorXd& q) override;
@@ -96,7 +98,7 @@ class SteadySystem final : public SteadyModel {
   using Twist = TwistOf<World>;
 
   void hold_hub();
-  void blow(bool is_axial);
+  void blow(bool is_axial, bool is_whole);
   void place(std::size_t subsystem, const SubsystemState& state);
   void put_bodies(std::size_t subsystem, const Eigen::VectorXd& q, const Eigen::VectorXd& v);
   Eigen::VectorXd take_bodies(std::size_t subsystem) const;

@@ -2,10 +2,10 @@
 
 #include <cassert>
 #include <cmath>
-#include <numbers>
 
 #include "engine/steady/derivatives.h"
 #include "engine/vibration/periodic_orbit.h"
+#include "engine/vibration/turn_motion.h"
 #include "engine/vibration/turn_series.h"
 
 namespace spoke::vibration {
@@ -16,27 +16,6 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using steady::SteadyModel;
-
-/// Motion of all coordinates of a PeriodicSystem over a turn, in columns.
-struct Motion {
-  MatrixXd x, v, a;
-
-  Index parts() const { return x.cols(); }
-  double azimuth(Index l) const {
-    return 2.0 * std::numbers::pi * static_cast<double>(l) / static_cast<double>(parts());
-  }
-};
-
-Motion make_motion(const PeriodicOrbit& orbit, double speed) {
-  const MatrixXcd rates = speed * differ_by_azimuth(orbit.harmonics);
-  return {sum_harmonics(orbit.harmonics, orbit.parts()), sum_harmonics(rates, orbit.parts()),
-          sum_harmonics(speed * differ_by_azimuth(rates), orbit.parts())};
-}
-
-void place_hub(const Motion& motion, Index l, Index hub, SteadyModel& whole) {
-  whole.move_hub(motion.azimuth(l) + motion.x.col(l).head(hub).sum(),
-                 motion.v.col(l).head(hub).sum(), motion.a.col(l).head(hub).sum());
-}
 
 /// Returns the derivative of the inertia forces of accelerations `a`, on the hub and, below, on
 /// coordinates, by the coordinates: the mass matrix depends on them.
@@ -65,7 +44,7 @@ struct Matrices {
   MatrixXd M, C, K;
 };
 
-Matrices linearise_subsystem(std::size_t i, Index at, const VectorXd& q, const Motion& motion,
+Matrices linearise_subsystem(std::size_t i, Index at, const VectorXd& q, const TurnMotion& motion,
                              Index l, Index hub, SteadyModel& whole) {
   const Index n = q.size(), axial = whole.twist_size() - 1;
   const VectorXd moved = q + motion.x.col(l).segment(at, n), v = motion.v.col(l).segment(at, n);
@@ -179,7 +158,7 @@ PeriodicSystem linearise_along(const PeriodicOrbit& orbit, const Linearised& all
                                const PeriodicSystem& mean, SteadyModel& whole) {
   const Index hub = mean.hub, parts = orbit.parts();
   assert(hub <= 1);
-  const Motion motion = make_motion(orbit, mean.speed);
+  const TurnMotion motion = make_turn_motion(orbit.harmonics, mean.speed);
   PeriodicSystem result = mean;
   result.M = result.C = result.K = make_zero_periodic(mean.size(), orbit.harmonics.cols() - 1);
   if (hub > 0)
@@ -197,6 +176,7 @@ PeriodicSystem linearise_along(const PeriodicOrbit& orbit, const Linearised& all
     if (first == i)
       found[i] = sample((hub + n) * (hub + n), parts, [&](Index l) {
         place_hub(motion, l, hub, whole);
+        orbit.wake.hold(i, l, whole);
         return linearise_subsystem(i, at, all.equilibrium.q[i], motion, l, hub, whole);
       });
     add_series(found[first], all.model.azimuth(i) - all.model.azimuth(first), hub, at, result);

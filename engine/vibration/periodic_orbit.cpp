@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <iomanip>
 #include <limits>
-#include <numbers>
 #include <sstream>
 
 #include "engine/support/dense.h"
@@ -25,7 +25,11 @@ using steady::SteadyModel;
 using Complex = std::complex<double>;
 
 constexpr Index kLeastHarmonics = 8, kMostHarmonics = 32;
-constexpr double kTail = 1e-10;  ///< share of the highest harmonics that may be left away
+// Shares of the highest harmonics that may be left away. In air coefficients are linear between the
+// angles of their tables: at each that a section passes the forces have a kink, and the harmonics
+// of the motion fall with the fourth power of their number. Motions as the first are sought up to
+// 16 harmonics; more are taken as they are up to the second.
+constexpr double kTail = 1e-10, kTailInAir = 1e-7, kMostInAir = 1e-5;
 
 /// The forces that a motion leaves without balance.
 class Balance {
@@ -33,8 +37,10 @@ class Balance {
   Balance(const Linearised& all, const PeriodicSystem& mean, SteadyModel& whole)
       : all_(all), mean_(mean), whole_(whole) {}
 
-  /// Returns them on all coordinates at an azimuth; none beyond the limits of the model.
-  std::optional<VectorXd> at(double psi, const VectorXd& x, const VectorXd& v, const VectorXd& a) {
+  /// Returns them on all coordinates at an azimuth; none beyond the limits of the model. `part`:
+  /// which part of a turn that is, with the wake there; none: with one of equilibrium.
+  std::optional<VectorXd> at(double psi, const VectorXd& x, const VectorXd& v, const VectorXd& a,
+                             std::optional<Index> part = std::nullopt) {
     const Index h = mean_.hub, axial = whole_.twist_size() - 1;
     whole_.move_hub(psi + x.head(h).sum(), v.head(h).sum(), a.head(h).sum());
     VectorXd left = VectorXd::Zero(x.size());
@@ -42,6 +48,7 @@ class Balance {
     for (std::size_t i = 0; i < whole_.subsystems(); ++i) {
       const Index at = mean_.starts[i], n = all_.equilibrium.q[i].size();
       const VectorXd q = all_.equilibrium.q[i] + x.segment(at, n), rate = v.segment(at, n);
+      if (part) wake_.hold(i, *part, whole_);
       steady::SubsystemResponse response;
       whole_.evaluate(i, {q, rate, q, rate}, whole_.no_offset(), response);
       if (!response.is_valid) return std::nullopt;
@@ -54,25 +61,26 @@ class Balance {
 
   /// Returns their harmonics for a motion; none beyond the limits of the model.
   std::optional<MatrixXcd> of(const MatrixXcd& harmonics) {
-    const Index parts = 2 * harmonics.cols() - 1;
-    const MatrixXcd rates = mean_.speed * differ_by_azimuth(harmonics);
-    const MatrixXd x = sum_harmonics(harmonics, parts), v = sum_harmonics(rates, parts);
-    const MatrixXd a = sum_harmonics(mean_.speed * differ_by_azimuth(rates), parts);
-    MatrixXd left(x.rows(), parts);
-    for (Index l = 0; l < parts; ++l) {
-      const double psi =
-          2.0 * std::numbers::pi * static_cast<double>(l) / static_cast<double>(parts);
-      const std::optional<VectorXd> now = at(psi, x.col(l), v.col(l), a.col(l));
+    const TurnMotion motion = make_turn_motion(harmonics, mean_.speed);
+    if (!wake_.follow(motion, mean_, all_.equilibrium.q, whole_)) return std::nullopt;
+    MatrixXd left(motion.x.rows(), motion.parts());
+    for (Index l = 0; l < motion.parts(); ++l) {
+      const std::optional<VectorXd> now =
+          at(motion.azimuth(l), motion.x.col(l), motion.v.col(l), motion.a.col(l), l);
       if (!now) return std::nullopt;
       left.col(l) = *now;
     }
     return find_harmonics(left);
   }
 
+  /// Returns the wake of the motion that was balanced last.
+  const PeriodicWake& wake() const { return wake_; }
+
  private:
   const Linearised& all_;
   const PeriodicSystem& mean_;
   SteadyModel& whole_;
+  PeriodicWake wake_;
 };
 
 /// Whether forces on the model at rest in its equilibrium change with the azimuth.
@@ -185,8 +193,10 @@ MatrixXcd unpack(const VectorXd& list, const VectorXd& scale) {
   return scale.asDiagonal() * harmonics;
 }
 
+/// `why`: what a coordinate does.
 [[noreturn]] void give_up(const PeriodicSystem& mean, const VectorXd& scale,
-                          const MatrixXcd& correction, const SteadyModel& model) {
+                          const MatrixXcd& correction, const SteadyModel& model,
+                          const std::string& why) {
   Index worst = 0;
   (scale.cwiseInverse().asDiagonal() * correction).rowwise().norm().maxCoeff(&worst);
   std::string name = "the hub's angle";
@@ -198,11 +208,9 @@ MatrixXcd unpack(const VectorXd& list, const VectorXd& scale) {
     name = subsystem + " / " + model.coordinates(i)[static_cast<std::size_t>(k)].name;
   }
   std::ostringstream text;
-  text
-      << "no periodic motion found at " << mean.speed
-      << " rad/s under gravity and loads across the axis: " << name
-      << " does not settle; take another speed, which is in no resonance, or no gravity across the "
-         "axis";
+  text << "no periodic motion found at " << mean.speed
+       << " rad/s under gravity, loads and wind across the axis: " << name << ' ' << why
+       << "; take another speed, which is in no resonance, or none of these";
   throw DivergenceError(text.str(), {.subsystem = subsystem, .quantity = name});
 }
 
@@ -234,8 +242,19 @@ MatrixXcd settle(const MatrixXcd& start, const VectorXd& scale, const PeriodicSy
     if (relative <= kSettled) break;
     y = acceleration.next(y, f);
   }
-  if (!(least <= kEnough)) give_up(mean, scale, correction, model);
+  if (!(least <= kEnough)) {
+    std::ostringstream why;
+    why << std::setprecision(2) << "does not settle, and changes by " << least
+        << " of the motion at the least";
+    give_up(mean, scale, correction, model, why.str());
+  }
   return unpack(best, scale);
+}
+
+/// Whether a motion is known by so many harmonics, of which the last two have a share of it.
+bool is_enough(double tail, Index highest, bool is_in_air) {
+  if (!is_in_air) return tail <= kTail;
+  return tail <= (2 * highest > kMostHarmonics ? kMostInAir : kTailInAir);
 }
 
 }  // namespace
@@ -261,8 +280,14 @@ std::optional<PeriodicOrbit> find_periodic_orbit(const Linearised& all, const Pe
     harmonics = settle(harmonics, scale, mean, balance, whole);
     const MatrixXd size = (scale.cwiseInverse().asDiagonal() * harmonics).cwiseAbs();
     const Index highest = harmonics.cols() - 1;
-    if (size.rightCols(2).maxCoeff() <= kTail * size.maxCoeff()) return PeriodicOrbit{harmonics};
-    if (2 * highest > kMostHarmonics) give_up(mean, scale, harmonics.rightCols(2), whole);
+    if (is_enough(size.rightCols(2).maxCoeff() / size.maxCoeff(), highest, balance.wake().acts()))
+      return PeriodicOrbit{harmonics, balance.wake()};
+    if (2 * highest > kMostHarmonics) {
+      std::ostringstream why;
+      why << std::setprecision(2) << "has harmonics beyond " << highest << ", those up to it being "
+          << size.rightCols(2).maxCoeff() / size.maxCoeff() << " of the motion";
+      give_up(mean, scale, harmonics.rightCols(2), whole, why.str());
+    }
     const MatrixXcd found = harmonics;
     harmonics = MatrixXcd::Zero(found.rows(), 2 * highest + 1);
     harmonics.leftCols(found.cols()) = found;

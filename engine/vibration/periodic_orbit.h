@@ -6,6 +6,7 @@
 
 #include "engine/vibration/mode_parts.h"
 #include "engine/vibration/periodic_system.h"
+#include "engine/vibration/periodic_wake.h"
 
 namespace spoke::vibration {
 
@@ -14,6 +15,7 @@ namespace spoke::vibration {
 struct PeriodicOrbit {
   /// By multiple of the azimuth, from 0: x(psi) = c_0 + 2 Re sum c_k exp(i k psi).
   Eigen::MatrixXcd harmonics;
+  PeriodicWake wake;  ///< at parts() azimuths
 
   /// Number of equal parts of a turn at which it is known.
   Eigen::Index parts() const { return 2 * harmonics.cols() - 1; }

@@ -16,6 +16,7 @@
 #include "models/start.h"
 #include "program/cli/build_simulation.h"
 #include "program/cli/commands.h"
+#include "program/cli/print_air.h"
 #include "program/cli/print_loops.h"
 #include "program/cli/print_space.h"
 #include "program/cli/report.h"
@@ -114,6 +115,7 @@ int check(const Arguments& arguments) {
   if (scenario.space) {
     print_title(scenario.title);
     print_space(*scenario.space);
+    if (scenario.space->air) print_air(*scenario.space);
   } else {
     print_model(simulation);
   }

@@ -125,6 +125,37 @@ void bind_anchors(Class& simulation) {
           "the rotation vector [rad].");
 }
 
+void bind_joint_motion(py::module_& module) {
+  py::class_<CoordinateMotion>(module, "CoordinateMotion",
+                               "The motion of a coordinate of a joint at one time.")
+      .def(py::init([](double value, double velocity, double acceleration) {
+             return CoordinateMotion{value, velocity, acceleration};
+           }),
+           "value"_a = 0.0, "velocity"_a = 0.0, "acceleration"_a = 0.0)
+      .def_readwrite("value", &CoordinateMotion::value, "[rad, m]")
+      .def_readwrite("velocity", &CoordinateMotion::velocity, "[rad/s, m/s]")
+      .def_readwrite("acceleration", &CoordinateMotion::acceleration, "[rad/s^2, m/s^2]");
+}
+
+void bind_joints(Class& simulation) {
+  simulation
+      .def("joint_index", alone(&Simulation::joint_index), "tree"_a, "name"_a,
+           "The number of the joint of that name on a blade or subsystem, from 0. Raises "
+           "InputError, with the nearest name, if there is none.")
+      .def("joint_motion", alone(&Simulation::joint_motion), "tree"_a, "joint"_a,
+           "coordinate"_a = 0,
+           "The motion at `time` of a coordinate of a joint that is prescribed.")
+      .def("set_joint_motion",
+           alone(py::overload_cast<int, int, int, const CoordinateMotion&>(
+               &Simulation::set_joint_motion)),
+           "tree"_a, "joint"_a, "coordinate"_a, "motion"_a,
+           "Moves a coordinate that the scenario leaves to the program from the next step on: the "
+           "acceleration stays as it is given. It must go on from where it is, with its rate.")
+      .def("set_joint_course",
+           alone(py::overload_cast<int, int, int, const Curve&>(&Simulation::set_joint_motion)),
+           "tree"_a, "joint"_a, "coordinate"_a, "course"_a, "Moves it by a curve over time [s].");
+}
+
 void bind_steps(Class& simulation) {
   simulation
       .def("step", alone(&Simulation::step),
@@ -158,12 +189,14 @@ void bind_simulation(py::module_& module) {
   bind_saved_state(module);
   bind_query_results(module);
   bind_anchor_motion(module);
+  bind_joint_motion(module);
   Class simulation(module, "Simulation");
   simulation.def(py::init(&make_simulation), "scenario"_a, "formulation"_a, "executor"_a,
                  "threads"_a, "window"_a, "loads"_a, "wind"_a);
   bind_progress(simulation);
   bind_steps(simulation);
   bind_anchors(simulation);
+  bind_joints(simulation);
   bind_queries(simulation);
 }
 

@@ -21,6 +21,7 @@ from ._spoke import (
     BodyState,
     Campbell,
     ConstantSpeed,
+    CoordinateMotion,
     Critical,
     Curve,
     DivergenceError,
@@ -61,7 +62,7 @@ from ._spoke import (
 from ._steady import campbell, critical, equilibrium, modes, performance
 
 __all__ = [
-    "AnchorMotion", "BladeEquilibrium", "BladeShape", "BodyState", "Campbell", "ConstantSpeed",
+    "AnchorMotion", "BladeEquilibrium", "BladeShape", "BodyState", "Campbell", "ConstantSpeed", "CoordinateMotion",
     "Critical", "Curve", "DivergenceError", "Equilibrium", "Error", "FixedDrive", "FreeDrive", "HubMotion",
     "InputError", "InternalError", "JointPosition", "Load", "LoadError", "LoopLoad", "Marker",
     "MarkerMotion",

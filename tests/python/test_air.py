@@ -106,3 +106,34 @@ def test_a_wind_that_fails_ends_the_step(monkeypatch, fault, shown):
     with pytest.raises(spoke.DivergenceError):
         sim.run(report=False)
     assert set(seen) == {shown}
+
+
+def test_a_program_pitches_blades_and_sets_the_torque_by_what_the_air_does():
+    own = spoke.Simulation(TURBINE, set={
+        **SHORT, "control": {}, "blade.joint.1.motion": {"by": "program"},
+        "hub.drive": {"kind": "torque", "torque": -4e6, "initial_speed": 1.2671},
+        "initial": {"state": "undeformed"}})
+    pitch = own.joint_index(0, "pitch")
+    before = own.sensor("blade1.outer.angle_of_attack")
+    assert own.sensor("air.wind") == pytest.approx(12.0, rel=1e-2)
+    start = own.save()
+    for blade in range(3):
+        own.set_joint_motion(blade, pitch, 0, spoke.CoordinateMotion(acceleration=-4.0))
+    own.set_drive(spoke.TorqueDrive(-5e6))
+    own.run(until=0.1, report=False)
+    motion = own.joint_motion(1, pitch)
+    assert motion.value == pytest.approx(-4.0 * 0.1**2 / 2.0)
+    assert motion.velocity == pytest.approx(-0.4)
+    assert own.sensor("blade2.pitch") == motion.value
+    assert own.sensor("hub.torque") == -5e6
+    assert own.sensor("blade1.outer.angle_of_attack") < before - 0.01
+    with pytest.raises(spoke.InputError, match="go on"):
+        own.set_joint_motion(0, pitch, 0, spoke.CoordinateMotion())
+    with pytest.raises(spoke.InputError, match='did you mean "pitch"'):
+        own.joint_index(0, "pich")
+    other = spoke.Simulation(own.scenario)
+    other.restore(start)
+    course = spoke.Curve([0.0, 0.1, 0.2], [0.0, 0.0, -0.05])
+    other.set_joint_course(2, pitch, 0, course)
+    other.run(until=0.15, report=False)
+    assert other.sensor("blade3.pitch") == course(0.15)

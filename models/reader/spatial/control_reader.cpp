@@ -39,7 +39,7 @@ void read_schedule(const TomlSection& section, PitchControl& control) {
 std::optional<PitchControl> read_pitch_control(const TomlSection& root, const Model& model) {
   if (!root.has("control")) return std::nullopt;
   const TomlSection parent = root.section("control", {"pitch"});
-  if (!parent.has("pitch")) return std::nullopt;
+  if (!parent.has("pitch")) return std::nullopt;  // so an override can take a controller away
   const TomlSection section = parent.section(
       "pitch", {"joint", "joints", "speed", "proportional", "integral", "half_gain_angle",
                 "schedule", "minimum", "maximum", "rate", "filter", "initial", "sign", "period"});

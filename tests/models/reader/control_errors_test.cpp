@@ -265,3 +265,11 @@ TEST_CASE("a controller is written as it is read") {
   CHECK(calc_gain_factor(*both.space->pitch_control, 0.1) == 0.75);
   CHECK(parse_scenario(document_of(both.to_json()), "f.toml").to_json() == both.to_json());
 }
+
+TEST_CASE("an override takes a controller away") {
+  const Scenario none = parse_scenario(kControlText, "f.toml", {"control={}"});
+  CHECK_FALSE(none.space->pitch_control);
+  CHECK(message_of([&] {
+          parse_scenario(kControlText, "f.toml", {"control={pich={}}"});
+        }).find("control.pich: unknown key, did you mean \"pitch\"?") != std::string::npos);
+}

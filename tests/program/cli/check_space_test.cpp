@@ -47,6 +47,64 @@ TEST_CASE("check prints the controller of pitch, which overrides may give a mode
         std::string::npos);
 }
 
+TEST_CASE("check prints air, wind, stations and aerofoils") {
+  const WorkFolder folder;
+  const Ended ended =
+      run_spoke({"check", shipped("nrel_5mw_in_wind"), "--set", "wind.turbulence.duration=20",
+                 "--set", "wind.gust={amplitude=3, start=5}"},
+                folder);
+  CHECK(ended.status == 0);
+  CHECK(ended.err.empty());
+  for (const char* part :
+       {"  pitch           joint pitch reversed, hub to 1.26711 rad/s, 0 to 1.5708 rad",
+        "  air             1.225 kg/m^3, 1.5e-05 m^2/s, induction momentum, inflow dynamic, stall "
+        "dynamic\n",
+        "  wind            12 m/s along [1, 0, 0] at 90 m, shear exponent 0.2\n",
+        "                  gust of 3 m/s from 5 s on for 10.5 s, one_minus_cosine\n",
+        "                  turbulence of 14 %, kaimal, seed 1\n",
+        "                  15 x 17 points over 150 x 170 m, every 0.1 s for 20 s, repeats\n",
+        "  air, blade 1    19 stations from 0 to 61.5 m, chord 1.419 to 4.652 m, leading edge "
+        "towards +y\n                  cylinder1 at 0 to 4.1 m\n                  cylinder2 at "
+        "6.8333 m\n",
+        "                  naca64 at 43.05 to 61.5 m\n  aerofoils       cylinder1: 3 angles, drag "
+        "from 0.5",
+        "                  du40: ", ", moment\n"}) {
+    CAPTURE(part);
+    CHECK(ended.out.find(part) != std::string::npos);
+  }
+  CHECK(ended.out.find("air, blade 2") == std::string::npos);  // as blade 1
+
+  const Ended still = run_spoke({"check", shipped("nrel_5mw_in_wind"), "--set", "wind={}"}, folder);
+  CHECK(still.out.find("  wind            0 m/s\n") != std::string::npos);
+  const Ended course = run_spoke({"check", shipped("nrel_5mw_in_wind"), "--set",
+                                  "wind={velocity=[0,1,0], time=[0,10,60], speed=[4,12,8]}"},
+                                 folder);
+  CHECK(course.out.find("  wind            4 m/s along [0, 1, 0]\n                  speed over "
+                        "time, 4 to 12 m/s, from 0 to 60 s\n") != std::string::npos);
+}
+
+TEST_CASE("check prints what a file of wind holds") {
+  const WorkFolder folder;
+  folder.write("gusty.txt", "0 8\n10 12\n");
+  const Ended table = run_spoke(
+      {"check", shipped("nrel_5mw_in_wind"), "--set",
+       "wind={velocity=[1,0,0], file=\"" + (folder.path() / "gusty.txt").string() + "\"}"},
+      folder);
+  CAPTURE(table.err);
+  CHECK(table.out.find("mean of gusty.txt, a table over time\n") != std::string::npos);
+  CHECK(run_spoke({"wind", shipped("nrel_5mw_in_wind"), "--set", "wind.turbulence.duration=20",
+                   "--out", "w.bts"},
+                  folder)
+            .status == 0);
+  const Ended box =
+      run_spoke({"check", shipped("nrel_5mw_in_wind"), "--set",
+                 "wind={velocity=[1,0,0], file=\"" + (folder.path() / "w.bts").string() + "\"}"},
+                folder);
+  CAPTURE(box.err);
+  CHECK(box.out.find("mean of w.bts: 15 x 17 points over 150 x 170 m, every 0.1 s for 20 s, "
+                     "repeats\n") != std::string::npos);
+}
+
 TEST_CASE("check tells at which speed rk4's limit is, and leaves out large trees") {
   const WorkFolder folder;
   const Ended turning = run_spoke({"check", shipped("heavy_top"), "--set",

@@ -301,3 +301,26 @@ TEST_CASE("static, modes, campbell and linearize refuse bad input in one line") 
   check_refused({"run", scenario, "--set", "initial={state=\"equilibrium\",speed=1.0}"},
                 "initial.speed: is 1, expected a speed that the drive has");
 }
+
+TEST_CASE("performance refuses bad input in one line") {
+  const std::string turbine = shipped("nrel_5mw_in_wind");
+  const std::string wind =
+      "--wind: expected a number above 0 or FROM:TO:STEP, ascending (m/s), got ";
+  for (const std::string given : {"8,12", "fast", "0", "12:8:1", "8:12", "8:12:9", "8:12:-1"})
+    check_refused({"performance", turbine, "--wind", given}, wind);
+  check_refused({"performance", turbine, "--wind", "1:20000:1"},
+                "--wind: expected 10000 numbers at most, got \"1:20000:1\"");
+  check_refused({"performance", turbine, "--tip-speed-ratio", "-1"},
+                "--tip-speed-ratio: expected a number above 0 or FROM:TO:STEP, ascending, got -1");
+  check_refused({"performance", turbine, "--wind", "8", "--pitch", "200"}, "--pitch: expected a ");
+  check_refused({"performance", turbine}, "no wind speeds and no tip-speed ratios are given");
+  check_refused({"performance", turbine, "--wind", "8:10:1", "--pitch", "0:2:1"},
+                "several pitch angles are given without tip-speed ratios, expected one or none");
+  check_refused({"performance", turbine, "--wind", "8:10:1", "--tip-speed-ratio", "7"},
+                "several wind speeds are given along with tip-speed ratios, expected one or none");
+  check_refused({"performance", turbine, "--wind", "8", "--pitch", "1", "--joint", "pich", "--set",
+                 "control={}"},
+                "no blade has a joint \"pich\", expected the name of the joint that pitches");
+  check_refused({"performance", shipped("nrel_5mw_turbine"), "--wind", "8"},
+                "air: is missing, expected [air] with the aerodynamics of blades");
+}

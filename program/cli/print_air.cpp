@@ -1,0 +1,156 @@
+// Lines of air, wind and aerofoils.
+
+#include "program/cli/print_air.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "models/air/wind_field.h"
+#include "models/air/wind_kept.h"
+#include "models/count_text.h"
+#include "program/cli/report.h"
+
+namespace spoke::cli {
+namespace {
+
+using spatial::Airfoil;
+using spatial::BladeAerodynamics;
+
+std::string short_number(double value) { return fmt::format("{:.6g}", value); }
+
+std::string vector_text(const Eigen::Vector3d& v) {
+  return fmt::format("[{}, {}, {}]", short_number(v.x()), short_number(v.y()), short_number(v.z()));
+}
+
+std::string describe(const spatial::Air& air) {
+  return fmt::format("{} kg/m^3, {} m^2/s, induction {}, inflow {}, stall {}",
+                     short_number(air.density), short_number(air.viscosity), name_of(air.induction),
+                     name_of(air.inflow), name_of(air.stall));
+}
+
+/// Describes the grid of a box: "15 x 17 points over 150 x 170 m, every 0.1 s for 600 s".
+std::string describe(const air::WindBox& box) {
+  return fmt::format("{} x {} points over {} x {} m, every {} s for {} s{}", box.n_y, box.n_z,
+                     short_number(box.dy * static_cast<double>(box.n_y - 1)),
+                     short_number(box.dz * static_cast<double>(box.n_z - 1)), short_number(box.dt),
+                     short_number(box.dt * static_cast<double>(box.n_t)),
+                     box.is_periodic ? ", repeats" : "");
+}
+
+/// Describes the mean wind: "12 m/s along [1, 0, 0] at 90 m above the ground at -90 m, shear
+/// exponent 0.2".
+std::string describe_mean(const Wind& wind) {
+  const air::WindAxes axes(wind);
+  const double height = wind.reference_height.value_or(0.0);
+  const Eigen::Vector3d mean = make_wind(wind)->mean(axes.place(0.0, height));
+  std::string text = fmt::format("{} m/s", short_number(mean.norm()));
+  if (mean.norm() > 0.0) text += " along " + vector_text(mean.normalized());
+  if (wind.reference_height) text += fmt::format(" at {} m", short_number(height));
+  if (wind.ground != 0.0)
+    text += fmt::format(" above the ground at {} m", short_number(wind.ground));
+  if (wind.shear_exponent != 0.0) text += ", shear exponent " + short_number(wind.shear_exponent);
+  return text;
+}
+
+std::string describe_course(const Curve& speed) {
+  const auto [least, most] = std::minmax_element(speed.values().begin(), speed.values().end());
+  return fmt::format("speed over time, {} to {} m/s, from {} to {} s", short_number(*least),
+                     short_number(*most), short_number(speed.times().front()),
+                     short_number(speed.times().back()));
+}
+
+std::vector<std::string> describe(const Wind& wind) {
+  if (wind.by_program || wind.field) return {"by the program"};
+  std::vector<std::string> lines{describe_mean(wind)};
+  if (wind.speed) lines.push_back(describe_course(*wind.speed));
+  if (!wind.file.empty()) {
+    const auto box = air::find_wind(wind)->box();
+    const std::string file = std::filesystem::path(wind.file).filename().string();
+    lines.push_back("mean of " + file + (box ? ": " + describe(*box) : ", a table over time"));
+  }
+  if (wind.gust)
+    lines.push_back(fmt::format("gust of {} m/s from {} s on for {} s, {}",
+                                short_number(wind.gust->amplitude), short_number(wind.gust->start),
+                                short_number(wind.gust->duration), name_of(wind.gust->shape)));
+  if (wind.turbulence) {
+    lines.push_back(fmt::format("turbulence of {} %, {}, seed {}",
+                                short_number(100.0 * wind.turbulence->intensity),
+                                name_of(wind.turbulence->spectrum), wind.turbulence->seed));
+    lines.push_back(describe(*air::find_wind(wind)->box()));
+  }
+  return lines;
+}
+
+/// Returns the names of aerofoils along a blade, each with the stations from which to which it is.
+std::vector<std::string> describe_airfoils(const BladeAerodynamics& blade) {
+  std::vector<std::string> lines;
+  for (std::size_t first = 0, end = 0; first < blade.station.size(); first = end) {
+    while (end < blade.station.size() && blade.airfoil[end] == blade.airfoil[first]) ++end;
+    const std::string from = short_number(blade.station[first]);
+    lines.push_back(fmt::format(
+        "{} at {} m", blade.airfoil[first],
+        end == first + 1 ? from : from + " to " + short_number(blade.station[end - 1])));
+  }
+  return lines;
+}
+
+std::vector<std::string> describe(const BladeAerodynamics& blade) {
+  const auto [least, most] = std::minmax_element(blade.chord.begin(), blade.chord.end());
+  std::vector<std::string> lines{fmt::format(
+      "{} from {} to {} m, chord {} to {} m, leading edge {}",
+      counted(std::ssize(blade.station), "station"), short_number(blade.station.front()),
+      short_number(blade.station.back()), short_number(*least), short_number(*most),
+      blade.leads_backward ? "towards -y" : "towards +y")};
+  for (std::string& line : describe_airfoils(blade)) lines.push_back(std::move(line));
+  return lines;
+}
+
+/// Describes coefficients so that a wrong file is seen: "127 angles, lift up to 1.442 at 11 deg,
+/// drag from 0.0052, moment".
+std::string describe(const spatial::Polar& polar) {
+  const auto lift = std::max_element(polar.lift.begin(), polar.lift.end());
+  const auto at = static_cast<std::size_t>(lift - polar.lift.begin());
+  std::string text =
+      polar.reynolds > 0.0 ? fmt::format("Re {}: ", short_number(polar.reynolds)) : "";
+  text += counted(std::ssize(polar.angle), "angle");
+  if (*lift > 0.0)
+    text += fmt::format(", lift up to {} at {} deg", short_number(*lift),
+                        short_number(polar.angle[at] * 180.0 / std::numbers::pi));
+  text += ", drag from " + short_number(*std::min_element(polar.drag.begin(), polar.drag.end()));
+  return text + (polar.moment.empty() ? "" : ", moment");
+}
+
+void print_texts(const std::string& label, const std::vector<std::string>& lines) {
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    print_line(i == 0 ? label : "", one_line(lines[i]));
+}
+
+}  // namespace
+
+void print_air(const spatial::Model& model) {
+  print_line("air", describe(*model.air));
+  print_texts("wind", describe(model.air->wind));
+  std::vector<std::string> before;
+  for (std::size_t i = 0; i < model.blades.size(); ++i) {
+    if (!model.blades[i].aerodynamics) continue;
+    std::vector<std::string> lines = describe(*model.blades[i].aerodynamics);
+    if (lines == before) continue;
+    print_texts(fmt::format("air, blade {}", i + 1), lines);
+    before = std::move(lines);
+  }
+  for (const Airfoil& airfoil : model.air->airfoils) {
+    std::vector<std::string> lines;
+    for (const spatial::Polar& polar : airfoil.polars)
+      lines.push_back((lines.empty() ? airfoil.name + ": " : "") + describe(polar));
+    print_texts(&airfoil == &model.air->airfoils.front() ? "aerofoils" : "", lines);
+  }
+}
+
+}  // namespace spoke::cli
