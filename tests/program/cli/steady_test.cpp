@@ -312,7 +312,7 @@ TEST_CASE("performance refuses bad input in one line") {
                 "--wind: expected 10000 numbers at most, got \"1:20000:1\"");
   check_refused({"performance", turbine, "--tip-speed-ratio", "-1"},
                 "--tip-speed-ratio: expected a number above 0 or FROM:TO:STEP, ascending, got -1");
-  check_refused({"performance", turbine, "--wind", "8", "--pitch", "200"}, "--pitch: expected a ");
+  check_refused({"performance", turbine, "--wind", "8", "--pitch", "-200"}, "--pitch: expected a ");
   check_refused({"performance", turbine}, "no wind speeds and no tip-speed ratios are given");
   check_refused({"performance", turbine, "--wind", "8:10:1", "--pitch", "0:2:1"},
                 "several pitch angles are given without tip-speed ratios, expected one or none");
