@@ -125,7 +125,7 @@ template <class World>
 std::vector<double> SteadySystem<World>::advance_air(std::size_t subsystem, double elapsed) {
   SubsystemData<World>& own = data(subsystem);
   if (!own.air) return {};
-  evaluate_air(0.0, elapsed, context_.system, subsystem, own);
+  evaluate_air(0.0, elapsed, false, context_.system, subsystem, own);
   keep_air(own);
   return {own.air->states.begin(), own.air->states.end()};
 }
