@@ -37,8 +37,7 @@ struct AirRun {
 
   explicit AirRun(const air::BladeAir& blade);
   /// Evaluates in a uniform wind; states go on.
-  void go(const BladePlace& place, const Eigen::Vector3d& wind, double elapsed,
-          bool held = false);
+  void go(const BladePlace& place, const Eigen::Vector3d& wind, double elapsed, bool held = false);
   Eigen::Vector3d force() const;
   /// About the origin, the hub's centre.
   Eigen::Vector3d moment(const BladePlace& place) const;

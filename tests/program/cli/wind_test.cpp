@@ -51,8 +51,8 @@ TEST_CASE("a run in wind of a file is not resumed in another") {
   REQUIRE(ended.status == 0);
   folder.write("wind.txt", "0 13\n");
   const Ended resumed =
-      run_spoke({"run", scenario, "--set", wind, "--set", "integration.duration=0.12", "--no-report",
-                 "--resume", "first/checkpoint.spoke"},
+      run_spoke({"run", scenario, "--set", wind, "--set", "integration.duration=0.12",
+                 "--no-report", "--resume", "first/checkpoint.spoke"},
                 folder);
   CHECK(resumed.status == 2);
   CHECK(contains(resumed.err, "wind.file"));
