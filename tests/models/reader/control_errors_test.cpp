@@ -69,7 +69,6 @@ TEST_CASE("a table of controllers without one is none") {
   const std::string rotor = kControlText.substr(0, kControlText.find("[control.pitch]"));
   CHECK(!parse_scenario(rotor + "[control]\n[integration]\nduration = 1\n", "f.toml")
              .space->pitch_control);
-  CHECK(!parse_scenario(kControlText, "f.toml", {"control={}"}).space->pitch_control);
   CHECK(parse_scenario(kControlText, "f.toml").space->pitch_control);
 }
 
