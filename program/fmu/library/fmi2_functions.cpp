@@ -1,15 +1,14 @@
 // The functions of FMI 2.0 for co-simulation of which this FMU makes use: another face of the same
 // instances.
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "models/error.h"
 #include "program/fmu/fmi2.h"
 #include "program/fmu/library/answers.h"
+#include "program/fmu/library/both_versions.h"
 #include "program/fmu/library/instance.h"
 #include "program/fmu/library/resource_location.h"
 
@@ -19,7 +18,6 @@ using namespace spoke;
 using fmu::call;
 using fmu::Instance;
 using fmu::MessageSink;
-using fmu::require_pointers;
 using fmu::text_or_empty;
 
 /// Returns where messages go by the callbacks of an importer, which may forget them.
@@ -40,12 +38,7 @@ SPOKE_FMI2 const char* fmi2GetVersion() { return "2.0"; }
 
 SPOKE_FMI2 fmi2Status fmi2SetDebugLogging(fmi2Component instance, fmi2Boolean loggingOn,
                                           std::size_t nCategories, const fmi2String categories[]) {
-  return call(instance, "fmi2SetDebugLogging", [&](Instance& own) {
-    require_pointers(nCategories == 0 || categories, "categories");
-    std::vector<std::string> names;
-    for (std::size_t k = 0; k < nCategories; ++k) names.push_back(text_or_empty(categories[k]));
-    own.set_logging(loggingOn != 0, names);
-  });
+  return fmu::set_logging(instance, "fmi2SetDebugLogging", loggingOn != 0, nCategories, categories);
 }
 
 SPOKE_FMI2 fmi2Component fmi2Instantiate(fmi2String instanceName, fmi2Type fmuType,
@@ -104,63 +97,40 @@ SPOKE_FMI2 fmi2Status fmi2DoStep(fmi2Component instance, fmi2Real currentCommuni
 
 SPOKE_FMI2 fmi2Status fmi2GetReal(fmi2Component instance, const fmi2ValueReference references[],
                                   std::size_t count, fmi2Real values[]) {
-  return call(instance, "fmi2GetReal", [&](Instance& own) {
-    require_pointers(count == 0 || (references && values), "references or values");
-    own.get({references, count}, {values, count});
-  });
+  return fmu::get_values(instance, "fmi2GetReal", references, count, values, count);
 }
 
 SPOKE_FMI2 fmi2Status fmi2SetReal(fmi2Component instance, const fmi2ValueReference references[],
                                   std::size_t count, const fmi2Real values[]) {
-  return call(instance, "fmi2SetReal", [&](Instance& own) {
-    require_pointers(count == 0 || (references && values), "references or values");
-    own.set({references, count}, {values, count});
-  });
+  return fmu::set_values(instance, "fmi2SetReal", references, count, values, count);
 }
 
 // States.
 
 SPOKE_FMI2 fmi2Status fmi2GetFMUstate(fmi2Component instance, fmi2FMUstate* state) {
-  return call(instance, "fmi2GetFMUstate", [&](Instance& own) {
-    require_pointers(state, "the place of the state");
-    *state = own.save(*state);
-  });
+  return fmu::save_state(instance, "fmi2GetFMUstate", state);
 }
 
 SPOKE_FMI2 fmi2Status fmi2SetFMUstate(fmi2Component instance, fmi2FMUstate state) {
-  return call(instance, "fmi2SetFMUstate", [&](Instance& own) { own.go_back(state); });
+  return fmu::go_back(instance, "fmi2SetFMUstate", state);
 }
 
 SPOKE_FMI2 fmi2Status fmi2FreeFMUstate(fmi2Component instance, fmi2FMUstate* state) {
-  return call(instance, "fmi2FreeFMUstate", [&](Instance& own) {
-    if (!state || !*state) return;
-    own.forget(*state);
-    *state = nullptr;
-  });
+  return fmu::free_state(instance, "fmi2FreeFMUstate", state);
 }
 
 SPOKE_FMI2 fmi2Status fmi2SerializedFMUstateSize(fmi2Component instance, fmi2FMUstate state,
                                                  std::size_t* size) {
-  return call(instance, "fmi2SerializedFMUstateSize", [&](Instance& own) {
-    require_pointers(size, "the place of the size");
-    *size = own.serialize(state).size();
-  });
+  return fmu::size_state(instance, "fmi2SerializedFMUstateSize", state, size);
 }
 
 SPOKE_FMI2 fmi2Status fmi2SerializeFMUstate(fmi2Component instance, fmi2FMUstate state,
                                             fmi2Byte serializedState[], std::size_t size) {
-  return call(instance, "fmi2SerializeFMUstate", [&](Instance& own) {
-    require_pointers(serializedState, "the place of the bytes");
-    const std::string bytes = own.serialize(state, size);
-    std::copy(bytes.begin(), bytes.end(), serializedState);
-  });
+  return fmu::serialize_state(instance, "fmi2SerializeFMUstate", state, serializedState, size);
 }
 
 SPOKE_FMI2 fmi2Status fmi2DeSerializeFMUstate(fmi2Component instance,
                                               const fmi2Byte serializedState[], std::size_t size,
                                               fmi2FMUstate* state) {
-  return call(instance, "fmi2DeSerializeFMUstate", [&](Instance& own) {
-    require_pointers(serializedState && state, "the bytes or the place of the state");
-    *state = own.deserialize({serializedState, size});
-  });
+  return fmu::deserialize_state(instance, "fmi2DeSerializeFMUstate", serializedState, size, state);
 }

@@ -1,14 +1,13 @@
 // The functions of FMI 3.0 for co-simulation of which this FMU makes use.
 
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "models/error.h"
 #include "program/fmu/fmi3.h"
 #include "program/fmu/library/answers.h"
+#include "program/fmu/library/both_versions.h"
 #include "program/fmu/library/instance.h"
 
 namespace {
@@ -36,12 +35,7 @@ SPOKE_FMI3 const char* fmi3GetVersion() { return "3.0"; }
 
 SPOKE_FMI3 fmi3Status fmi3SetDebugLogging(fmi3Instance instance, fmi3Boolean loggingOn,
                                           std::size_t nCategories, const fmi3String categories[]) {
-  return call(instance, "fmi3SetDebugLogging", [&](Instance& own) {
-    require_pointers(nCategories == 0 || categories, "categories");
-    std::vector<std::string> names;
-    for (std::size_t k = 0; k < nCategories; ++k) names.push_back(text_or_empty(categories[k]));
-    own.set_logging(loggingOn, names);
-  });
+  return fmu::set_logging(instance, "fmi3SetDebugLogging", loggingOn, nCategories, categories);
 }
 
 SPOKE_FMI3 fmi3Instance fmi3InstantiateCoSimulation(
@@ -108,67 +102,45 @@ SPOKE_FMI3 fmi3Status fmi3GetFloat64(fmi3Instance instance,
                                      const fmi3ValueReference valueReferences[],
                                      std::size_t nValueReferences, fmi3Float64 values[],
                                      std::size_t nValues) {
-  return call(instance, "fmi3GetFloat64", [&](Instance& own) {
-    if (nValues != nValueReferences) throw InputError("expected a value for each reference");
-    require_pointers(nValues == 0 || (valueReferences && values), "references or values");
-    own.get({valueReferences, nValueReferences}, {values, nValues});
-  });
+  return fmu::get_values(instance, "fmi3GetFloat64", valueReferences, nValueReferences, values,
+                         nValues);
 }
 
 SPOKE_FMI3 fmi3Status fmi3SetFloat64(fmi3Instance instance,
                                      const fmi3ValueReference valueReferences[],
                                      std::size_t nValueReferences, const fmi3Float64 values[],
                                      std::size_t nValues) {
-  return call(instance, "fmi3SetFloat64", [&](Instance& own) {
-    if (nValues != nValueReferences) throw InputError("expected a value for each reference");
-    require_pointers(nValues == 0 || (valueReferences && values), "references or values");
-    own.set({valueReferences, nValueReferences}, {values, nValues});
-  });
+  return fmu::set_values(instance, "fmi3SetFloat64", valueReferences, nValueReferences, values,
+                         nValues);
 }
 
 // States.
 
 SPOKE_FMI3 fmi3Status fmi3GetFMUState(fmi3Instance instance, fmi3FMUState* FMUState) {
-  return call(instance, "fmi3GetFMUState", [&](Instance& own) {
-    require_pointers(FMUState, "the place of the state");
-    *FMUState = own.save(*FMUState);
-  });
+  return fmu::save_state(instance, "fmi3GetFMUState", FMUState);
 }
 
 SPOKE_FMI3 fmi3Status fmi3SetFMUState(fmi3Instance instance, fmi3FMUState FMUState) {
-  return call(instance, "fmi3SetFMUState", [&](Instance& own) { own.go_back(FMUState); });
+  return fmu::go_back(instance, "fmi3SetFMUState", FMUState);
 }
 
 SPOKE_FMI3 fmi3Status fmi3FreeFMUState(fmi3Instance instance, fmi3FMUState* FMUState) {
-  return call(instance, "fmi3FreeFMUState", [&](Instance& own) {
-    if (!FMUState || !*FMUState) return;
-    own.forget(*FMUState);
-    *FMUState = nullptr;
-  });
+  return fmu::free_state(instance, "fmi3FreeFMUState", FMUState);
 }
 
 SPOKE_FMI3 fmi3Status fmi3SerializedFMUStateSize(fmi3Instance instance, fmi3FMUState FMUState,
                                                  std::size_t* size) {
-  return call(instance, "fmi3SerializedFMUStateSize", [&](Instance& own) {
-    require_pointers(size, "the place of the size");
-    *size = own.serialize(FMUState).size();
-  });
+  return fmu::size_state(instance, "fmi3SerializedFMUStateSize", FMUState, size);
 }
 
 SPOKE_FMI3 fmi3Status fmi3SerializeFMUState(fmi3Instance instance, fmi3FMUState FMUState,
                                             fmi3Byte serializedState[], std::size_t size) {
-  return call(instance, "fmi3SerializeFMUState", [&](Instance& own) {
-    require_pointers(serializedState, "the place of the bytes");
-    const std::string bytes = own.serialize(FMUState, size);
-    std::copy(bytes.begin(), bytes.end(), serializedState);
-  });
+  return fmu::serialize_state(instance, "fmi3SerializeFMUState", FMUState, serializedState, size);
 }
 
 SPOKE_FMI3 fmi3Status fmi3DeserializeFMUState(fmi3Instance instance,
                                               const fmi3Byte serializedState[], std::size_t size,
                                               fmi3FMUState* FMUState) {
-  return call(instance, "fmi3DeserializeFMUState", [&](Instance& own) {
-    require_pointers(serializedState && FMUState, "the bytes or the place of the state");
-    *FMUState = own.deserialize({reinterpret_cast<const char*>(serializedState), size});
-  });
+  return fmu::deserialize_state(instance, "fmi3DeserializeFMUState", serializedState, size,
+                                FMUState);
 }
