@@ -10,7 +10,7 @@ import spoke
 
 TURBINE = str(MODELS / "nrel_5mw_in_wind.toml")
 CALM = {"wind": {"velocity": [12.0, 0.0, 0.0]}}
-SHORT = {**CALM, "integration.duration": 0.2, "output.interval": 0.02}
+SHORT = {**CALM, "integration.step": 0.01, "integration.duration": 0.2, "output.interval": 0.02}
 
 
 def test_performance_over_wind_is_that_of_the_program(program):
