@@ -18,7 +18,7 @@ struct Amplitude {
   bool is_sine = false;
   bool is_differential = false;
   Eigen::Index at = 0;  ///< of its coordinates among all
-  std::string name;     ///< "collective"
+  std::string name{};   ///< "collective"
 
   double at_azimuth(double psi) const {
     if (multiple == 0 || is_differential) return 1.0;

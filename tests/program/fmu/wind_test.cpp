@@ -89,7 +89,7 @@ TEST_CASE(
   CHECK(instance.get({"air.wind"})[0] == doctest::Approx(12.0).epsilon(1e-9));
 }
 
-TEST_CASE("turbulence blows until wind is given, and then ends; states go back to it") {
+TEST_CASE("turbulence blows until wind is given and then ends, and states go back to it") {
   const UnpackedFmu unpacked(kBlownRotor, kWindNames, {},
                              {"wind.turbulence={intensity=0.1,width=8.0,points=4,duration=4.0}"});
   const LoadedFmu fmu(unpacked.folder());
