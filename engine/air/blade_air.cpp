@@ -18,11 +18,11 @@ namespace {
 using Eigen::Vector3d;
 
 /// The wind against the hub.
-struct HubWind {
+struct WindAgainstHub {
   Vector3d in_plane;
   double along, across;  // along the axis, in the plane
 
-  explicit HubWind(const RotorPlace& rotor) {
+  explicit WindAgainstHub(const RotorPlace& rotor) {
     const Vector3d wind = rotor.wind - rotor.velocity;
     along = wind.dot(rotor.axis);
     in_plane = wind - along * rotor.axis;
@@ -150,7 +150,7 @@ void BladeAir::evaluate(const RotorPlace& rotor, std::span<const MarkerMotion> s
                         std::span<const Vector3d> wind, double elapsed, const double* before,
                         double* after, std::span<Wrench> out, std::span<StationAir> seen,
                         bool held) const noexcept {
-  const HubWind hub(rotor);
+  const WindAgainstHub hub(rotor);
   const Advance advance(elapsed);
   for (std::size_t i = 0; i < stations_.size(); ++i) {
     Point point = find_point(rotor, stations_[i], sections[i], wind[i], hub.across);

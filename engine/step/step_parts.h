@@ -52,9 +52,9 @@ struct SubsystemParts {
   graph::PartId workspace;                              ///< workspace of the effective inertia
   std::vector<graph::PartId> ports;                     ///< ports of the bodies (structured, space)
   std::vector<graph::PartId> loads;                     ///< wrenches of the user's loads
-  graph::PartId air;                                    ///< wrenches of air, if any acts
+  graph::PartId air;                                    ///< wrenches of air
   graph::PartId air_reached;                            ///< its states at the evaluated time
-  graph::PartId air_states;                             ///< its states at the end of the last step
+  graph::PartId air_states;                             ///< those before the step
   LoopParts loops;                                      ///< if there are loops
 
   /// Returns one member of all bodies, parents before children.

@@ -2,9 +2,9 @@
 
 #include "models/air/hub_wind.h"
 
-#include <cmath>
 #include <utility>
 
+#include "models/air/wind_field.h"
 #include "models/air/wind_kept.h"
 #include "spoke/error.h"
 
@@ -55,10 +55,8 @@ std::shared_ptr<const WindField> HubWind::with(const WindCourse& course) const {
 }
 
 double HubWind::profile(const Eigen::Vector3d& place, double t) const {
-  const double exponent = shear_course_ ? shear_course_->value(t) : shear_exponent_;
-  if (exponent == 0.0) return 1.0;
-  const double height = place.dot(up_) - ground_;
-  return height > 0.0 ? std::pow(height / hub_height_, exponent) : 0.0;
+  return calc_shear(place.dot(up_) - ground_, hub_height_,
+                    shear_course_ ? shear_course_->value(t) : shear_exponent_);
 }
 
 }  // namespace spoke::air

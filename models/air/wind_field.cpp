@@ -58,12 +58,6 @@ class DescribedWind final : public WindField {
   double end() const override { return box_ ? box_->end() : WindField::end(); }
 
  private:
-  /// Returns the factor of the power law; the air below the ground is that on it.
-  double profile(double height, double exponent) const {
-    if (exponent == 0.0) return 1.0;
-    return height > 0.0 ? std::pow(height / reference_height_, exponent) : 0.0;
-  }
-
   Vector3d in_box(const WindBox& box, const Vector3d& place, double t) const {
     return axes_.velocity(
         box.velocity(place.dot(axes_.along()), place.dot(axes_.across()), axes_.height(place), t));
@@ -72,12 +66,12 @@ class DescribedWind final : public WindField {
   Vector3d mean_at(const Vector3d& place, double t) const {
     const double height = axes_.height(place);
     if (!table_)
-      return (course_ ? course_->value(t) : speed_) * profile(height, shear_exponent_) *
-             axes_.along();
+      return (course_ ? course_->value(t) : speed_) *
+             calc_shear(height, reference_height_, shear_exponent_) * axes_.along();
     const double exponent =
         table_->shear_exponent ? table_->shear_exponent->value(t) : shear_exponent_;
     const double direction = table_->direction.value(t);
-    return table_->speed.value(t) * profile(height, exponent) *
+    return table_->speed.value(t) * calc_shear(height, reference_height_, exponent) *
                (std::cos(direction) * axes_.along() + std::sin(direction) * axes_.across()) +
            table_->vertical_speed.value(t) * axes_.up();
   }
@@ -101,6 +95,11 @@ WindAxes::WindAxes(const Wind& wind)
   const Vector3d across = up_.cross(along_);
   if (across.norm() > 0.0) across_ = across.normalized();
   upward_ = along_.cross(across_);
+}
+
+double calc_shear(double height, double reference_height, double exponent) noexcept {
+  if (exponent == 0.0) return 1.0;
+  return height > 0.0 ? std::pow(height / reference_height, exponent) : 0.0;
 }
 
 std::shared_ptr<const WindField> compose_wind(const Wind& wind, WindData data) {

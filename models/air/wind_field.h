@@ -47,6 +47,10 @@ class WindAxes {
   double ground_;
 };
 
+/// Returns the factor of the power law, (height/reference_height)^exponent [m]; the air below the
+/// ground is that on it.
+double calc_shear(double height, double reference_height, double exponent) noexcept;
+
 /// Returns the wind of a description without fault, and of what is in its file or was generated.
 std::shared_ptr<const WindField> compose_wind(const Wind& wind, WindData data);
 

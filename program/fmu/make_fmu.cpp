@@ -141,7 +141,7 @@ Fmu make_fmu(const FmuRequest& request, const Simulation& simulation) {
   std::vector<PackedFile> files{
       {"modelDescription.xml", write_model_description(model, request.version)},
       {binaries_folder(request.version) + '/' + model.identifier + ".so",
-       read_library(request.library)},
+       read_library(request.binary)},
       {"documentation/licenses/license.txt", std::string(licence_text())},
       {"documentation/licenses/third_party.txt", std::string(third_party_licences())},
       {std::string("resources/") + kContentsFile, write_contents(contents)}};

@@ -17,7 +17,7 @@ struct FmuRequest {
   std::string scenario;              ///< file
   Overrides overrides;               ///< of its keys
   std::string name;                  ///< of the FMU: its file's without folder and ending
-  std::filesystem::path library;     ///< shared object that goes into it, see find_library()
+  std::filesystem::path binary;      ///< shared object that goes into it, see find_library()
   std::vector<std::string> inputs;   ///< names; none: the usual ones; "none": no inputs
   std::vector<std::string> outputs;  ///< names of columns or of sensors; none: all columns
   FmiVersion version = FmiVersion::three;

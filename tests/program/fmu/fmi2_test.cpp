@@ -13,6 +13,7 @@
 #include "engine/simulation.h"
 #include "tests/contains.h"
 #include "tests/file_text.h"
+#include "tests/program/fmu/go_on.h"
 #include "tests/program/fmu/importer_2.h"
 #include "tests/program/fmu/unpacked_fmu.h"
 
@@ -37,17 +38,6 @@ class Unpacked2 : public UnpackedFmu {
                      const Overrides& overrides = {})
       : UnpackedFmu(scenario, inputs, {}, overrides, fmu::FmiVersion::two) {}
 };
-
-/// Makes `count` steps from a point on, and returns all outputs behind each.
-std::vector<std::vector<double>> go_on_2(Fmu2Instance& instance, double from, double step,
-                                         int count) {
-  std::vector<std::vector<double>> rows;
-  for (int k = 0; k < count; ++k) {
-    CHECK(instance.step(from + k * step, step) == kOk);
-    rows.push_back(instance.outputs());
-  }
-  return rows;
-}
 
 }  // namespace
 
@@ -92,28 +82,28 @@ TEST_CASE("an instance of FMI 2.0 goes back to states, by way of bytes too, besi
   const std::vector<double> given(fmu.inputs().size(), 0.7), other(fmu.inputs().size(), -0.3);
   CHECK(instance.initialize(10.0) == kOk);
   CHECK(beside.initialize() == kOk);
-  const auto before = go_on_2(instance, 10.0, step, 2);
+  const auto before = go_on(instance, 10.0, step, 2);
   CHECK(instance.set(fmu.inputs(), given) == kOk);
   CHECK(beside.set(fmu.inputs(), other) == kOk);
-  const auto first = go_on_2(instance, 10.0 + 2 * step, step, 2);
+  const auto first = go_on(instance, 10.0 + 2 * step, step, 2);
   void* state = nullptr;
   CHECK(instance.get_state(&state) == kOk);
-  go_on_2(beside, 0.0, step, 2);
-  const auto second = go_on_2(instance, 10.0 + 4 * step, step, 2);
+  go_on(beside, 0.0, step, 2);
+  const auto second = go_on(instance, 10.0 + 4 * step, step, 2);
   CHECK(instance.set(fmu.inputs(), other) == kOk);
-  go_on_2(instance, 10.0 + 6 * step, 2 * step, 1);
+  go_on(instance, 10.0 + 6 * step, 2 * step, 1);
   CHECK(instance.set_state(state) == kOk);
   CHECK(instance.get(fmu.inputs()) == given);
   CHECK(instance.outputs() == first.back());
-  CHECK(go_on_2(instance, 10.0 + 4 * step, step, 2) == second);
+  CHECK(go_on(instance, 10.0 + 4 * step, step, 2) == second);
   const std::vector<char> bytes = instance.serialize(state);
   void* read = nullptr;
   CHECK(beside.deserialize(bytes, &read) == kOk);
   CHECK(beside.set_state(read) == kOk);
-  CHECK(go_on_2(beside, 10.0 + 4 * step, step, 2) == second);
+  CHECK(go_on(beside, 10.0 + 4 * step, step, 2) == second);
   CHECK(instance.call("fmi2Reset") == kOk);
   CHECK(instance.initialize(10.0) == kOk);
-  CHECK(go_on_2(instance, 10.0, step, 2) == before);
+  CHECK(go_on(instance, 10.0, step, 2) == before);
   CHECK(instance.free_state(&state) == kOk);
   CHECK(!state);
   CHECK(instance.messages.empty());

@@ -11,25 +11,12 @@
 
 #include "engine/simulation.h"
 #include "tests/contains.h"
+#include "tests/program/fmu/go_on.h"
 #include "tests/program/fmu/importer.h"
 #include "tests/program/fmu/unpacked_fmu.h"
 
 using namespace spoke;
 using namespace spoke::test;
-
-namespace {
-
-/// Makes `count` steps from a point on, and returns all outputs behind each.
-std::vector<std::vector<double>> go_on(FmuInstance& instance, double from, double step, int count) {
-  std::vector<std::vector<double>> rows;
-  for (int k = 0; k < count; ++k) {
-    CHECK(instance.step(from + k * step, step) == kOk);
-    rows.push_back(instance.outputs());
-  }
-  return rows;
-}
-
-}  // namespace
 
 TEST_CASE("an FMU has the bits of a simulation, from the start to beyond the scenario's end") {
   struct Case {
