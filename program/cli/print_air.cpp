@@ -30,9 +30,11 @@ std::string vector_text(const Eigen::Vector3d& v) {
 }
 
 std::string describe(const spatial::Air& air) {
-  return fmt::format("{} kg/m^3, {} m^2/s, induction {}, inflow {}, stall {}",
+  const std::string factor =
+      air.inflow_factor != 1.0 ? " times " + short_number(air.inflow_factor) : "";
+  return fmt::format("{} kg/m^3, {} m^2/s, induction {}{}, inflow {}, stall {}",
                      short_number(air.density), short_number(air.viscosity), name_of(air.induction),
-                     name_of(air.inflow), name_of(air.stall));
+                     factor, name_of(air.inflow), name_of(air.stall));
 }
 
 /// Describes the grid of a box: "15 x 17 points over 150 x 170 m, every 0.1 s for 600 s".

@@ -74,8 +74,11 @@ TEST_CASE("check prints air, wind, stations and aerofoils") {
   }
   CHECK(ended.out.find("air, blade 2") == std::string::npos);  // as blade 1
 
-  const Ended still = run_spoke({"check", shipped("nrel_5mw_in_wind"), "--set", "wind={}"}, folder);
+  const Ended still = run_spoke({"check", shipped("nrel_5mw_in_wind"), "--set", "wind={}", "--set",
+                                 "aerodynamics.inflow_factor=1.15"},
+                                folder);
   CHECK(still.out.find("  wind            0 m/s\n") != std::string::npos);
+  CHECK(still.out.find("induction momentum times 1.15, inflow dynamic") != std::string::npos);
   const Ended course = run_spoke({"check", shipped("nrel_5mw_in_wind"), "--set",
                                   "wind={velocity=[0,1,0], time=[0,10,60], speed=[4,12,8]}"},
                                  folder);
