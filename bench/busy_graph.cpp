@@ -43,8 +43,9 @@ class Maker {
   explicit Maker(Busy busy) : busy_(busy) {}
 
   PartId add(std::string stage, int blade, int body, const std::vector<PartId>& inputs) {
-    const PartId output = builder_.add_part(stage, {});
-    builder_.add_node({std::move(stage), blade, body}, reads(inputs), writes(output), busy_);
+    const graph::NodeLabel label{std::move(stage), blade, body};
+    const PartId output = builder_.add_part(name_of(label), {});
+    builder_.add_node(label, reads(inputs), writes(output), busy_);
     return output;
   }
   graph::StepGraph build() { return builder_.build(); }

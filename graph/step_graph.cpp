@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <map>
+#include <tuple>
 
 #include "graph/structure/depth_first_order.h"
 #include "graph/structure/index_of.h"
@@ -72,6 +74,43 @@ struct Access {
   NodeId node;
   bool writes;
 };
+
+void require_different_names(const std::vector<Part>& parts) {
+  std::vector<std::string_view> names;
+  for (const Part& part : parts) names.push_back(part.name);
+  std::sort(names.begin(), names.end());
+  const auto twice = std::adjacent_find(names.begin(), names.end());
+  if (twice != names.end())
+    throw InputError("two parts are named \"" + std::string(*twice) +
+                     "\", expected a name for each");
+}
+
+// `body_of`: by node the place of its body; nodes that repeat another one share its body, and its
+// label but for the pass, so that few labels are compared.
+void require_different_labels(const std::vector<Node>& nodes,
+                              const std::vector<std::uint32_t>& body_of,
+                              const std::string& subsystem_word) {
+  using Task = std::tuple<std::string_view, int, int, std::string_view>;
+  std::map<Task, std::uint64_t> numbers;
+  std::vector<std::uint64_t> by_body;
+  std::vector<std::pair<std::uint64_t, std::size_t>> labels;  // task and pass as a number, and node
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const NodeLabel& label = nodes[i].label;
+    if (body_of[i] == by_body.size()) {
+      const Task task{label.stage, label.subsystem, label.body, label.item};
+      by_body.push_back(numbers.try_emplace(task, numbers.size()).first->second);
+    }
+    labels.emplace_back(by_body[body_of[i]] << 32 | static_cast<std::uint32_t>(label.pass), i);
+  }
+  std::sort(labels.begin(), labels.end());
+  const auto twice =
+      std::adjacent_find(labels.begin(), labels.end(),
+                         [](const auto& a, const auto& b) { return a.first == b.first; });
+  if (twice != labels.end())
+    throw InputError("two nodes are named \"" +
+                     name_of(nodes[twice->second].label, subsystem_word) +
+                     "\", expected a label for each");
+}
 
 std::vector<std::vector<Access>> accesses_by_part(const StepGraph& graph) {
   std::vector<std::vector<Access>> accesses(graph.parts().size());
@@ -143,6 +182,8 @@ NodeId StepGraphBuilder::repeat_node(NodeId node, int pass) {
 }
 
 StepGraph StepGraphBuilder::build() {
+  require_different_names(parts_);
+  require_different_labels(nodes_, body_of_, subsystem_word_);
   NodeLists predecessors = derive_predecessors(nodes_, parts_.size());
   reduce_transitively(predecessors);
 

@@ -143,7 +143,8 @@ class SPOKE_EXPORT StepGraphBuilder {
   /// Returns the number of nodes added so far.
   int node_count() const { return static_cast<int>(nodes_.size()); }
 
-  /// Builds the graph of everything added; the builder is empty afterwards.
+  /// Builds the graph of everything added; the builder is empty afterwards. Throws InputError if
+  /// two parts have one name, or two nodes of a pass one label; the builder then stays as it is.
   StepGraph build();
 
  private:

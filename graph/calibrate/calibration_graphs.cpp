@@ -2,6 +2,7 @@
 
 #include "graph/calibrate/calibration_graphs.h"
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -13,12 +14,13 @@ StepGraph make_fork_joins(int count, double busy) {
   StepGraphBuilder builder;
   std::vector<PartId> before;
   for (int k = 0; k <= count; ++k) {
-    const PartId join = builder.add_part("join", {});
-    builder.add_node({"join"}, reads(before), writes(join), []() noexcept {});
+    const PartId join = builder.add_part("join " + std::to_string(k), {});
+    builder.add_node({"join", k}, reads(before), writes(join), []() noexcept {});
     before.clear();
     for (int branch = 0; branch < 2 && k < count; ++branch) {
-      before.push_back(builder.add_part("branch", {}));
-      builder.add_node({"busy"}, reads(join), writes(before.back()), [busy]() noexcept {
+      const NodeLabel label{"busy", k, branch};
+      before.push_back(builder.add_part(name_of(label), {}));
+      builder.add_node(label, reads(join), writes(before.back()), [busy]() noexcept {
         if (busy > 0.0) be_busy(busy);
       });
     }
@@ -32,8 +34,9 @@ StepGraph make_ladder(int levels) {
   for (int level = 0; level < levels; ++level) {
     std::vector<PartId> parts;
     for (int k = 0; k < 2; ++k) {
-      parts.push_back(builder.add_part("rung", {}));
-      builder.add_node({"rung"}, reads(before), writes(parts.back()), []() noexcept {});
+      const NodeLabel label{"rung", level, k};
+      parts.push_back(builder.add_part(name_of(label), {}));
+      builder.add_node(label, reads(before), writes(parts.back()), []() noexcept {});
     }
     before = std::move(parts);
   }

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "graph/calibrate/timed_runs.h"
 #include "graph/execute/executor_kinds.h"
@@ -27,7 +28,7 @@ void work(int iterations) noexcept {
 StepGraph make_busy_graph(int threads, int iterations) {
   StepGraphBuilder builder;
   for (int k = 0; k < threads; ++k)
-    builder.add_node({"busy"}, {}, writes(builder.add_part("busy", {})),
+    builder.add_node({"busy", k}, {}, writes(builder.add_part("busy " + std::to_string(k), {})),
                      [iterations]() noexcept { work(iterations); });
   return builder.build();
 }

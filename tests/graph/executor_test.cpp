@@ -66,7 +66,7 @@ TEST_CASE("flow graph: the threads asked for exist, beyond the number of process
   StepGraphBuilder builder;
   for (int i = 0; i < threads; ++i) {
     // No node ends before all have begun: with fewer threads this would not return.
-    builder.add_node({"meet"}, reads(), writes(), [&arrived]() noexcept {
+    builder.add_node({"meet", i}, reads(), writes(), [&arrived]() noexcept {
       ++arrived;
       while (arrived < threads) std::this_thread::yield();
     });

@@ -24,7 +24,8 @@ int RecordedGraph::count_edges_out_of_order() const {
 
 StepGraph RecordedGraph::build(const GraphPlan& plan) {
   StepGraphBuilder builder;
-  for (std::size_t i = 0; i < plan.memory.size(); ++i) builder.add_part("part", {});
+  for (std::size_t i = 0; i < plan.memory.size(); ++i)
+    builder.add_part("part " + std::to_string(i), {});
   for (std::size_t i = 0; i < plan.nodes.size(); ++i) {
     const NodePlan& node = plan.nodes[i];
     builder.add_node(node.label, reads(node.reads), writes(node.writes), [this, i]() noexcept {

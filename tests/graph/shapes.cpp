@@ -15,9 +15,9 @@ StepGraph make_fan(int width, int length) {
   builder.add_node({"root"}, {}, writes(root), nothing);
   std::vector<PartId> ends;
   for (int i = 0; i < width; ++i) {
-    const PartId part = builder.add_part("part", {});
+    const PartId part = builder.add_part("part " + std::to_string(i), {});
     for (int k = 0; k < length; ++k) {
-      builder.add_node({"link", i}, reads(root, part), writes(part), nothing);
+      builder.add_node({"link", i, -1, k}, reads(root, part), writes(part), nothing);
     }
     ends.push_back(part);
   }
@@ -31,9 +31,9 @@ namespace {
 std::vector<PartId> add_blades(int steps, int blades, int bodies, StepGraphBuilder& builder) {
   std::vector<PartId> last;
   for (int i = 0; i < blades; ++i) {
-    const PartId blade = builder.add_part("blade", {});
+    const PartId blade = builder.add_part(name_of({"blade", i}), {});
     std::vector<PartId> parts;
-    for (int j = 0; j < bodies; ++j) parts.push_back(builder.add_part("body", {}));
+    for (int j = 0; j < bodies; ++j) parts.push_back(builder.add_part(name_of({"body", i, j}), {}));
     for (int step = 0; step < steps; ++step) {
       builder.add_node({"begin", i, -1, step}, reads(parts, blade), writes(blade), nothing);
       for (int j = 0; j < bodies; ++j) {

@@ -4,9 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
+#include <utility>
 
 #include "spoke/error.h"
+#include "tests/contains.h"
 #include "tests/graph/arithmetic_graph.h"
+#include "tests/message_of.h"
 
 using namespace spoke::graph;
 using spoke::graph::testing::build_graph;
@@ -118,7 +122,7 @@ TEST_CASE("updates in place form a chain, and chains of different parts are inde
   const std::array parts{builder.add_part("x", {}), builder.add_part("y", {})};
   for (int i = 0; i < 6; ++i) {
     const PartId part = parts[static_cast<std::size_t>(i % 2)];
-    builder.add_node({"update"}, reads(part), writes(part), nothing);
+    builder.add_node({"update", i}, reads(part), writes(part), nothing);
   }
   const StepGraph graph = builder.build();
   CHECK(graph.edge_count() == 4);
@@ -143,6 +147,47 @@ TEST_CASE("a part that was not added is refused") {
   StepGraphBuilder builder;
   CHECK_THROWS_AS(builder.add_node({"n"}, reads(PartId{0}), writes(), nothing), spoke::InputError);
   CHECK_THROWS_AS(builder.add_node({"n"}, reads(), writes(PartId{}), nothing), spoke::InputError);
+}
+
+TEST_CASE("two parts of one name are refused, and two nodes of a pass with one label") {
+  const auto refused = [](const auto& add, const char* part) {
+    StepGraphBuilder builder("blade");
+    add(builder);
+    for (int k = 0; k < 2; ++k) {  // it stays as it is
+      const std::string message = spoke::test::message_of([&] { builder.build(); });
+      CAPTURE(message);
+      CHECK(spoke::test::contains(message, part));
+    }
+  };
+  const auto add_node = [](StepGraphBuilder& builder, NodeLabel label) {
+    return builder.add_node(std::move(label), reads(), writes(), nothing);
+  };
+  refused(
+      [](StepGraphBuilder& builder) {
+        for (const char* name : {"twist", "pose", "twist"}) builder.add_part(name, {});
+      },
+      "two parts are named \"twist\"");
+  refused(
+      [&](StepGraphBuilder& builder) {
+        for (const int body : {0, 1, 0}) add_node(builder, {"inverse", 1, body});
+      },
+      "two nodes are named \"blade 2 / body 1 / inverse\"");
+  refused(
+      [&](StepGraphBuilder& builder) {
+        const NodeId node = add_node(builder, {"inverse", 0, -1, 0, "rod"});
+        builder.repeat_node(node, 3);
+        add_node(builder, {"inverse", 0, -1, 3, "rod"});
+      },
+      "\"blade 1 / rod / inverse (pass 4)\"");
+  // What differs in one coordinate is another node, and so is its repetition.
+  StepGraphBuilder builder;
+  const NodeId node = add_node(builder, {"a", 0, 0, 0, "x"});
+  for (const NodeLabel& label :
+       {NodeLabel{"b", 0, 0, 0, "x"}, NodeLabel{"a", 1, 0, 0, "x"}, NodeLabel{"a", 0, 1, 0, "x"},
+        NodeLabel{"a", 0, 0, 0, "y"}, NodeLabel{"a", 0, 0, 1, "x"}, NodeLabel{"a", 0, 0, -1, "x"}})
+    add_node(builder, label);
+  builder.repeat_node(node, 2);
+  CHECK(builder.build().node_count() == 8);
 }
 
 TEST_CASE("the builder is empty after building, and an empty graph is a graph") {
@@ -173,10 +218,11 @@ TEST_CASE("the serial order goes depth first: blade by blade") {
   const PartId root = builder.add_part("root", {});
   builder.add_node({"root"}, reads(), writes(root), nothing);
   std::vector<PartId> blades;
-  for (int i = 0; i < 3; ++i) blades.push_back(builder.add_part("blade", {}));
+  for (int i = 0; i < 3; ++i) blades.push_back(builder.add_part(name_of({"blade", i}), {}));
   for (int stage = 0; stage < 3; ++stage) {  // added stage by stage
     for (const PartId blade : blades) {
-      builder.add_node({"stage"}, reads(root, blade), writes(blade), nothing);
+      builder.add_node({"stage", blade.index, -1, stage}, reads(root, blade), writes(blade),
+                       nothing);
     }
   }
   builder.add_node({"join"}, reads(blades), writes(), nothing);
@@ -205,8 +251,9 @@ TEST_CASE("edges are reduced over any distance, in memory that grows with the no
   for (int k = 0; k < kNodes; ++k) parts.push_back(add_part(k));
   builder.add_node({"first"}, reads(), writes(parts[0]), nothing);
   for (std::size_t k = 1; k < kNodes; ++k)
-    builder.add_node({"next"}, reads(parts[0], parts[k - 1], parts[k - 1 - (k - 1) % 700]),
-                     writes(parts[k]), nothing);
+    builder.add_node({"next", static_cast<int>(k)},
+                     reads(parts[0], parts[k - 1], parts[k - 1 - (k - 1) % 700]), writes(parts[k]),
+                     nothing);
   const StepGraph graph = builder.build();
   CHECK(graph.edge_count() == kNodes - 1);
   for (int k = 1; k < kNodes; ++k) CHECK(indices(graph.predecessors({k})) == List{k - 1});
@@ -240,12 +287,12 @@ TEST_CASE("large graphs lose the edges that others imply") {
   const PartId root = builder.add_part("root", {});
   builder.add_node({"root"}, {}, writes(root), nothing);
   std::vector<PartId> parts;
-  for (int i = 0; i < 300; ++i) parts.push_back(builder.add_part("part", {}));
+  for (int i = 0; i < 300; ++i) parts.push_back(builder.add_part(name_of({"part", i}), {}));
   for (int layer = 0; layer < 10; ++layer) {
     for (const PartId part : parts) {
-      builder.add_node({"own"}, reads(root, part), writes(part), nothing);
+      builder.add_node({"own", part.index, -1, layer}, reads(root, part), writes(part), nothing);
     }
-    builder.add_node({"all"}, reads(root, parts), writes(parts), nothing);
+    builder.add_node({"all", -1, -1, layer}, reads(root, parts), writes(parts), nothing);
   }
   const StepGraph graph = builder.build();
   CHECK(graph.node_count() == 3011);

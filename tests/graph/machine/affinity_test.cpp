@@ -71,8 +71,8 @@ TEST_CASE("affinity: threads of a flow graph may run on all processors") {
   std::atomic<int> arrived{0};
   std::vector<std::vector<int>> processors(2);
   StepGraphBuilder builder;
-  for (std::vector<int>& mine : processors)
-    builder.add_node({"meet"}, reads(), writes(), [&arrived, &mine]() noexcept {
+  for (const int i : {0, 1})
+    builder.add_node({"meet", i}, reads(), writes(), [&arrived, &mine = processors[i]]() noexcept {
       mine = thread_affinity();
       ++arrived;
       while (arrived < 2) std::this_thread::yield();  // so that each has a thread of its own

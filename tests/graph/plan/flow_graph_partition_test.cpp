@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <set>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "tests/graph/arithmetic_graph.h"
@@ -21,10 +22,10 @@ namespace {
 // Makes chains of these lengths, with nothing in common.
 Plan make_chains(std::span<const int> lengths) {
   StepGraphBuilder builder;
-  for (const int length : lengths) {
-    const PartId part = builder.add_part("chain", {});
-    for (int k = 0; k < length; ++k)
-      builder.add_node({"link"}, reads(part), writes(part), []() noexcept {});
+  for (int chain = 0; chain < static_cast<int>(lengths.size()); ++chain) {
+    const PartId part = builder.add_part("chain " + std::to_string(chain), {});
+    for (int k = 0; k < lengths[static_cast<std::size_t>(chain)]; ++k)
+      builder.add_node({"link", chain, -1, k}, reads(part), writes(part), []() noexcept {});
   }
   return plan_of_single_nodes(builder.build());
 }

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <string>
+
 #include "tests/graph/arithmetic_graph.h"
 
 using namespace spoke::graph;
@@ -28,10 +30,11 @@ std::vector<std::vector<List>> indices(const std::vector<Round>& rounds) {
 StepGraph two_rows_and_a_join(int width) {
   StepGraphBuilder builder;
   std::vector<PartId> parts;
-  for (int i = 0; i < width; ++i) parts.push_back(builder.add_part("part", {}));
+  for (int i = 0; i < width; ++i)
+    parts.push_back(builder.add_part("part " + std::to_string(i), {}));
   for (int row = 0; row < 2; ++row)
     for (const PartId part : parts)
-      builder.add_node({"node"}, reads(part), writes(part), []() noexcept {});
+      builder.add_node({"node", part.index, -1, row}, reads(part), writes(part), []() noexcept {});
   builder.add_node({"join"}, reads(parts), writes(), []() noexcept {});
   return builder.build();
 }

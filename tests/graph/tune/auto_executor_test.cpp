@@ -94,7 +94,7 @@ TEST_CASE("auto: a plan that is slower than serial runs is left, and tried again
   bool is_disturbed = true;
   StepGraphBuilder builder;
   for (int k = 0; k < 2; ++k)
-    builder.add_node({"asleep"}, {}, writes(builder.add_part("part", {})), [&]() noexcept {
+    builder.add_node({"asleep", k}, {}, {}, [&]() noexcept {
       std::unique_lock lock(obstacle, std::defer_lock);
       if (is_disturbed) lock.lock();
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
