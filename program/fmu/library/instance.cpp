@@ -59,6 +59,14 @@ Simulation make_simulation(const std::filesystem::path& resources, const Content
   return simulation;
 }
 
+/// Returns a time for messages, with digits enough to tell those of long simulations apart.
+std::string seconds(double time) {
+  std::ostringstream text;
+  text.precision(12);
+  text << time << " s";
+  return text.str();
+}
+
 /// Whether a value is another one than the start value, by more than the round-off of importers
 /// that interpolate between two values.
 bool is_other(double value, double start) {
@@ -126,6 +134,7 @@ void Instance::set_times(double start, std::optional<double> stop) {
   if (!std::isfinite(start) || (stop && !(*stop > start)))
     throw InputError("the times of start and stop are not finite or not in order");
   start_time_ = start;
+  stop_time_ = stop;
 }
 
 void Instance::enter_initialization() {
@@ -155,19 +164,16 @@ void Instance::apply_inputs(double step) {
 void Instance::do_step(double point, double step) {
   require(mode_ == Mode::step, "steps are made in step mode");
   const double own = simulation_->step_size();
-  if (!(std::abs(point - time()) <= kSlack * own)) {
-    std::ostringstream text;
-    text << "the communication point is " << point << " s, expected " << time()
-         << " s, up to where the simulation has come";
-    throw InputError(text.str());
-  }
+  if (!(std::abs(point - time()) <= kSlack * own))
+    throw InputError("the communication point is " + seconds(point) + ", expected " +
+                     seconds(time()) + ", up to where the simulation has come");
   const double count = std::round(step / own);
-  if (!(count >= 1.0 && std::abs(step - count * own) <= kSlack * own)) {
-    std::ostringstream text;
-    text << "the communication step is " << step << " s, expected a multiple of the model's step, "
-         << own << " s";
-    throw InputError(text.str());
-  }
+  if (!(count >= 1.0 && std::abs(step - count * own) <= kSlack * own))
+    throw InputError("the communication step is " + seconds(step) +
+                     ", expected a multiple of the model's step, " + seconds(own));
+  if (stop_time_ && point + step > *stop_time_ + kSlack * own)
+    throw InputError("the communication step goes to " + seconds(point + step) +
+                     ", expected none beyond the stop time, " + seconds(*stop_time_));
   if (count > static_cast<double>(simulation_->planned_steps() - simulation_->steps()))
     throw InputError("the simulation has made as many steps as it can");
   mode_ = Mode::failed;  // unless all goes well
@@ -216,7 +222,7 @@ void Instance::set(std::span<const std::uint32_t> references, std::span<const do
 
 ModelState Instance::state() const {
   require(mode_ != Mode::failed, "a state is saved where there is one");
-  return {mode_, start_time_, values_, courses_, simulation_->save()};
+  return {mode_, start_time_, stop_time_, values_, courses_, simulation_->save()};
 }
 
 void Instance::put(const ModelState& state) {
@@ -224,6 +230,7 @@ void Instance::put(const ModelState& state) {
   courses_ = state.courses;
   values_ = state.inputs;
   start_time_ = state.start_time;
+  stop_time_ = state.stop_time;
   mode_ = state.mode;
 }
 

@@ -38,13 +38,14 @@ class Instance {
   const std::string& name() const { return name_; }
   MessageSink& messages() { return messages_; }
 
-  /// Takes the importer's times of start and stop [s], before initialization; else the start is 0.
+  /// Takes the importer's times of start and stop [s], before initialization; else the start is 0,
+  /// and there is no stop.
   void set_times(double start, std::optional<double> stop);
   void enter_initialization();
   void exit_initialization();
   void terminate();
   void reset();
-  /// Makes steps from a communication point to the next one [s].
+  /// Makes steps from a communication point to the next one [s], which is not beyond the stop.
   void do_step(double point, double step);
   /// Returns the importer's time up to which the simulation has come [s].
   double time() const;
@@ -85,6 +86,7 @@ class Instance {
   std::optional<ModelState> begin_;  ///< as it was made
   Mode mode_ = Mode::instantiated;
   double start_time_ = 0.0;
+  std::optional<double> stop_time_;
 };
 
 }  // namespace spoke::fmu

@@ -16,7 +16,7 @@
 namespace spoke::fmu {
 namespace {
 
-constexpr std::string_view kMark = "SPOKEFMU2\n";
+constexpr std::string_view kMark = "SPOKEFMU3\n";
 constexpr const char* kName = "the serialized state";
 
 [[noreturn]] void fail(const std::string& why) {
@@ -84,6 +84,16 @@ class Reader {
   std::string_view rest_;
 };
 
+void add(const std::optional<double>& value, Writer& writer) {
+  writer.add(std::uint64_t{value.has_value()});
+  if (value) writer.add(*value);
+}
+
+std::optional<double> read_optional(Reader& reader) {
+  if (reader.number() == 0) return std::nullopt;
+  return reader.real();
+}
+
 void add(const std::optional<WindCourse>& wind, Writer& writer) {
   writer.add(std::uint64_t{wind.has_value()});
   if (!wind) return;
@@ -138,6 +148,7 @@ std::string write_state(const ModelState& state, const std::string& token) {
   writer.add(std::string_view(token));
   writer.add(static_cast<std::uint64_t>(state.mode));
   writer.add(state.start_time);
+  add(state.stop_time, writer);
   writer.add(std::uint64_t{state.inputs.size()});
   for (const InputValue& input : state.inputs) {
     writer.add(input.value);
@@ -179,6 +190,7 @@ ModelState read_state(std::string_view bytes, const std::string& token, const Dr
   if (mode > static_cast<std::uint64_t>(Mode::failed)) fail("is damaged");
   state.mode = static_cast<Mode>(mode);
   state.start_time = reader.real();
+  state.stop_time = read_optional(reader);
   state.inputs.resize(reader.count());
   for (InputValue& input : state.inputs) {
     input.value = reader.real();

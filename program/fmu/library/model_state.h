@@ -2,6 +2,7 @@
 
 // The state of an instance as a value, and as bytes.
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,7 +26,8 @@ struct InputValue {
 /// All that determines how an instance goes on.
 struct ModelState {
   Mode mode = Mode::instantiated;
-  double start_time = 0.0;  ///< of the importer's time [s]
+  double start_time = 0.0;            ///< of the importer's time [s]
+  std::optional<double> stop_time{};  ///< likewise, if it was set
   std::vector<InputValue> inputs;
   Courses courses;  ///< in force
   SavedState simulation;

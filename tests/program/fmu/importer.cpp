@@ -86,14 +86,14 @@ int FmuInstance::errors() const {
   }));
 }
 
-int FmuInstance::enter_initialization(double start) {
+int FmuInstance::enter_initialization(double start, std::optional<double> stop) {
   using Enter = int(void*, bool, double, double, bool, double);
-  return fmu_.function<Enter>("fmi3EnterInitializationMode")(handle_, false, 0.0, start, false,
-                                                             0.0);
+  return fmu_.function<Enter>("fmi3EnterInitializationMode")(handle_, false, 0.0, start,
+                                                             stop.has_value(), stop.value_or(0.0));
 }
 
-int FmuInstance::initialize(double start) {
-  const int status = enter_initialization(start);
+int FmuInstance::initialize(double start, std::optional<double> stop) {
+  const int status = enter_initialization(start, stop);
   return status == kOk ? call("fmi3ExitInitializationMode") : status;
 }
 

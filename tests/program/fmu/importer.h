@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -67,8 +68,8 @@ class FmuInstance {
   FmuInstance& operator=(const FmuInstance&) = delete;
 
   void* handle() const { return handle_; }
-  int initialize(double start = 0.0);
-  int enter_initialization(double start = 0.0);
+  int initialize(double start = 0.0, std::optional<double> stop = {});
+  int enter_initialization(double start = 0.0, std::optional<double> stop = {});
   /// Calls a function that takes the instance alone.
   int call(const char* function);
   int step(double point, double size);

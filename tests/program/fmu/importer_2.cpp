@@ -41,13 +41,14 @@ Fmu2Instance::Fmu2Instance(const LoadedFmu& fmu, const std::string& token,
 
 Fmu2Instance::~Fmu2Instance() { fmu_.function<void(void*)>("fmi2FreeInstance")(handle_); }
 
-int Fmu2Instance::set_up(double start) {
+int Fmu2Instance::set_up(double start, std::optional<double> stop) {
   using SetUp = int(void*, int, double, double, int, double);
-  return fmu_.function<SetUp>("fmi2SetupExperiment")(handle_, 0, 0.0, start, 0, 0.0);
+  return fmu_.function<SetUp>("fmi2SetupExperiment")(handle_, 0, 0.0, start, stop.has_value(),
+                                                     stop.value_or(0.0));
 }
 
-int Fmu2Instance::initialize(double start) {
-  for (const int status : {set_up(start), call("fmi2EnterInitializationMode")})
+int Fmu2Instance::initialize(double start, std::optional<double> stop) {
+  for (const int status : {set_up(start, stop), call("fmi2EnterInitializationMode")})
     if (status != kOk) return status;
   return call("fmi2ExitInitializationMode");
 }

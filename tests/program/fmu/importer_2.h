@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,8 @@ class Fmu2Instance {
   Fmu2Instance& operator=(const Fmu2Instance&) = delete;
 
   void* handle() const { return handle_; }
-  int initialize(double start = 0.0);
-  int set_up(double start);
+  int initialize(double start = 0.0, std::optional<double> stop = {});
+  int set_up(double start, std::optional<double> stop = {});
   /// Calls a function that takes the instance alone.
   int call(const char* function);
   int step(double point, double size);
