@@ -18,10 +18,17 @@ void write_value(const char* key, const Value& value, Toml& toml) {
     toml.comment(std::string(key) + " is the scenario's default: " + value.from);
 }
 
-void write_wind(const FoundAir& air, const std::string& downwind, Toml& toml) {
-  toml.comment("The air is at rest: the files have no wind. For example:");
-  toml.comment("[wind]");
-  toml.comment("velocity = " + downwind + "   # m/s, downwind");
+void write_wind(const FoundAir& air, const WindPlace& place, Toml& toml) {
+  if (!place.ground.from.empty()) {
+    toml.table("[wind]");
+    toml.key("velocity", "[0, 0, 0]",
+             "at rest: the files have no wind; " + place.downwind + " is downwind (m/s)");
+    toml.key("ground", digits(place.ground.number), place.ground.from);
+  } else {
+    toml.comment("The air is at rest: the files have no wind. For example:");
+    toml.comment("[wind]");
+    toml.comment("velocity = " + place.downwind + "   # m/s, downwind");
+  }
   if (air.shear.number > 0.0)
     toml.comment("shear_exponent = " + digits(air.shear.number) + "   # " + air.shear.from);
   if (air.reference_height.number > 0.0)
@@ -70,8 +77,7 @@ void write_blade_air(const FoundAir& air, const Value& pitch, Toml& toml) {
   toml.key("airfoil", '[' + list + ']');
 }
 
-void write_air(const FoundAir& air, const std::string& folder, const std::string& downwind,
-               Toml& toml) {
+void write_air(const FoundAir& air, const std::string& folder, const WindPlace& place, Toml& toml) {
   toml.table("[air]");
   write_value("density", air.density, toml);
   write_value("viscosity", air.viscosity, toml);
@@ -82,7 +88,7 @@ void write_air(const FoundAir& air, const std::string& folder, const std::string
   write("induction", air.induction);
   write("inflow", air.inflow);
   write("stall", air.stall);
-  write_wind(air, downwind, toml);
+  write_wind(air, place, toml);
   for (const FoundAirfoil& found : air.airfoils) {
     toml.table("[[airfoil]]");
     toml.key("name", quoted(found.airfoil.name));

@@ -16,9 +16,14 @@ std::string airfoil_path(const std::string& folder, const std::string& name);
 /// +x [rad].
 void write_blade_air(const FoundAir& air, const Value& pitch, Toml& toml);
 
-/// Writes [air], [aerodynamics] and [[airfoil]]; these name tables in `folder`, or have the polars
-/// themselves if it is empty. `downwind`: the rotor's axis, for an example of wind.
-void write_air(const FoundAir& air, const std::string& folder, const std::string& downwind,
-               Toml& toml);
+/// Where the rotor stands in the wind.
+struct WindPlace {
+  std::string downwind;  ///< a velocity along the rotor's axis, for an example of wind
+  Value ground;          ///< its coordinate along z [m]; unknown where it says no source
+};
+
+/// Writes [air], [aerodynamics], [wind] and [[airfoil]]; these name tables in `folder`, or have the
+/// polars themselves if it is empty.
+void write_air(const FoundAir& air, const std::string& folder, const WindPlace& place, Toml& toml);
 
 }  // namespace spoke::foreign

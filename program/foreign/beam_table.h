@@ -61,6 +61,8 @@ struct FoundModel {
   double hub_center = 0.0;                          ///< downwind of the hub's origin [m]
   Value speed;                                      ///< of the rotor [rad/s]
   bool has_rotor = false;                           ///< whether the axis is horizontal
+  Value gravity;  ///< downwards [m/s^2]; not in the files: 0, the writer takes the standard value
+  Value ground;   ///< its coordinate, upwards from the tower's foot [m]
   std::optional<Nacelle> nacelle;
   FoundDamping damping;
   std::optional<FoundAir> air;

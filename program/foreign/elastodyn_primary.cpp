@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "models/support/quantity.h"
 #include "program/foreign/elastodyn_reader.h"
@@ -64,6 +65,49 @@ void read_nacelle(KeyedLines& reader, FoundModel& model) {
   model.nacelle = nacelle;
 }
 
+/// What this file has that the scenario does not, where it is not 0, False or none.
+void note_unused(KeyedLines& reader, FoundModel& model) {
+  constexpr std::pair<const char*, const char*> kUnused[] = {
+      {"OoPDefl", "the blades start undeformed"},
+      {"IPDefl", "the blades start undeformed"},
+      {"TeetDefl", "the hub does not teeter"},
+      {"Azimuth", "blade 1 starts upright"},
+      {"NacYaw", "the nacelle looks along x"},
+      {"TTDspFA", "the tower starts undeformed"},
+      {"TTDspSS", "the tower starts undeformed"},
+      {"PtfmSurge", "the foot of the tower is held"},
+      {"PtfmSway", "the foot of the tower is held"},
+      {"PtfmHeave", "the foot of the tower is held"},
+      {"PtfmRoll", "the foot of the tower is held"},
+      {"PtfmPitch", "the foot of the tower is held"},
+      {"PtfmYaw", "the foot of the tower is held"},
+      {"PtfmMass", "the foot of the tower is held, without the platform"},
+      {"UndSling", "the hub does not teeter"},
+      {"TeetMod", "the hub does not teeter"}};
+  for (const auto& [key, instead] : kUnused) {
+    if (!reader.has(key)) continue;
+    const Value value = reader.number(key);
+    if (value.number != 0.0)
+      model.left_out.push_back(value.from + ", which is " + describe(value.number) + ": " +
+                               instead);
+  }
+}
+
+/// Blades that differ from the first one, which stands for all.
+void note_other_blades(KeyedLines& reader, FoundModel& model) {
+  for (const char* key : {"BlPitch", "PreCone", "TipMass"}) {
+    const auto of_blade = [&](int blade) {
+      return std::string(key) + '(' + std::to_string(blade) + ')';
+    };
+    if (!reader.has(of_blade(1))) continue;
+    const double first = reader.number(of_blade(1)).number;
+    for (int blade = 2; blade <= model.blade_count.number && reader.has(of_blade(blade)); ++blade)
+      if (const Value other = reader.number(of_blade(blade)); other.number != first)
+        model.left_out.push_back(other.from + ", which is " + describe(other.number) +
+                                 ": all blades have that of blade 1, " + describe(first));
+  }
+}
+
 }  // namespace
 
 ElastoDynPrimary read_elastodyn_primary(const SourceFile& source, FoundModel& model) {
@@ -75,6 +119,9 @@ ElastoDynPrimary read_elastodyn_primary(const SourceFile& source, FoundModel& mo
   ElastoDynPrimary primary;
   primary.blade_length = subtract(reader, "TipRad", "HubRad");
   primary.tower_height = subtract(reader, "TowerHt", "TowerBsHt");
+  model.ground = reader.number("TowerBsHt");
+  model.ground.number = model.ground.number == 0.0 ? 0.0 : -model.ground.number;
+  model.ground.from += ", below the foot of the tower";
   if (reader.has("TipMass(1)")) primary.tip_mass = reader.at_least("TipMass(1)", 0.0);
   if (reader.has("YawBrMass")) primary.yaw_bearing_mass = reader.at_least("YawBrMass", 0.0);
   const bool pitches = model.air && reader.has("BlPitch(1)");
@@ -87,11 +134,12 @@ ElastoDynPrimary read_elastodyn_primary(const SourceFile& source, FoundModel& mo
   model.left_out.push_back(
       source.name + ": switches of degrees of freedom, " +
       (pitches ? "initial conditions but speed and pitch, " : "initial conditions, pitch, ") +
-      "teeter, furling, platform, yaw (the nacelle is fixed to the tower), drivetrain flexibility "
-      "and outputs; blade 1 stands for "
-      "all; of the nacelle's inertia that about the yaw axis is taken for every axis, and the "
-      "hub's "
-      "about other axes is half of that about its own");
+      "teeter, furling, platform, yaw (the nacelle is fixed to the tower), drivetrain flexibility, "
+      "losses of the gearbox and outputs; blade 1 stands for all; of the nacelle's inertia that "
+      "about the yaw axis is taken for every axis, and the hub's about other axes is half of that "
+      "about its own");
+  note_unused(reader, model);
+  note_other_blades(reader, model);
   return primary;
 }
 

@@ -216,6 +216,23 @@ void read_aerodyn(FoundFiles& files, FoundModel& model) {
                           " aerofoil files that it names");
 }
 
+/// What a turbine has besides these files.
+void note_missing(const FoundFiles& files, FoundModel& model) {
+  if (model.tower)
+    model.left_out.emplace_back(
+        files.has(elastodyn_primary)
+            ? "in other files of a turbine: torque of the generator, control of speed and pitch "
+              "(the drive holds RotSpeed), wind, foundation, soil, water, floater and moorings "
+              "(the "
+              "foot of the tower is held)"
+            : "in other files of a turbine: the rotor and all else that the tower carries, "
+              "foundation, soil, water, floater and moorings (the foot of the tower is held)");
+  if (files.has(elastodyn_primary) && !model.air)
+    model.left_out.emplace_back("in other files of a turbine: the air");
+  if (!model.tower && !model.has_rotor)
+    model.left_out.emplace_back("gravity: the files do not say which way is down");
+}
+
 /// Refuses files that would go unused, or say the same twice.
 void check_use(const FoundFiles& files) {
   if (files.has(beamdyn_blade) && !files.has(beamdyn_primary))
@@ -267,6 +284,7 @@ Imported import_files(const std::vector<SourceFile>& files, const ReadFile& read
   }
   read_elastodyn(found, options, model);
   if (found.has(aerodyn_primary)) read_aerodyn(found, model);
+  note_missing(found, model);
   Imported imported;
   imported.text = write_scenario(model, options.airfoil_folder);
   // Its tables are not there yet.

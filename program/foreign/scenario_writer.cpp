@@ -150,6 +150,19 @@ void write_support(const FoundModel& model, Toml& toml) {
   }
 }
 
+/// z is up where there is a tower or a rotor, whose axis is horizontal.
+void write_gravity(const FoundModel& model, Toml& toml) {
+  if (!model.tower && !model.has_rotor) return;
+  constexpr double standard = 9.80665;  // by the third CGPM, 1901 [m/s^2]
+  const bool is_found = !model.gravity.from.empty();
+  toml.table("[gravity]");
+  toml.key("acceleration",
+           digits(Eigen::Vector3d(0.0, 0.0, is_found ? -model.gravity.number : -standard)),
+           is_found ? model.gravity.from
+                    : std::string("not in the files: standard gravity, down ") +
+                          (model.tower ? "along the tower" : "across the axis"));
+}
+
 void write_damping(const FoundDamping& damping, Toml& toml) {
   if (is_zero(damping.mu) && is_zero(damping.ratios)) return;
   toml.table("[damping]");
@@ -173,8 +186,10 @@ std::string write_scenario(const FoundModel& model, const std::string& airfoil_f
   write_hub(model, toml);
   if (model.tower) write_support(model, toml);
   if (model.blade) write_blade(model, toml);
+  write_gravity(model, toml);
   if (model.air)
-    write_air(*model.air, airfoil_folder, model.has_rotor ? "[8, 0, 0]" : "[0, 0, 8]", toml);
+    write_air(*model.air, airfoil_folder,
+              {model.has_rotor ? "[8, 0, 0]" : "[0, 0, 8]", model.ground}, toml);
   write_damping(model.damping, toml);
   toml.table("[integration]");
   toml.key("step", "0.01", "not in the files");

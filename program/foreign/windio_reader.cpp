@@ -208,6 +208,14 @@ void read_rotor(const Entry& root, double unit, FoundModel& model) {
   model.has_rotor = true;
 }
 
+void read_gravity(const Entry& root, FoundModel& model) {
+  if (!root.has("environment") || !root.at("environment").has("gravity")) return;
+  const Entry gravity = root.at("environment").at("gravity");
+  model.gravity = {gravity.number(), gravity.from() + ", down across the axis"};
+  if (!(gravity.number() >= 0.0))
+    gravity.refuse("is " + describe(gravity.number()) + ", expected 0 or more (m/s^2)");
+}
+
 /// `unit`: of the twist [rad].
 void read_blade(const BladeTables& tables, double unit, FoundModel& model) {
   const Entry& axis = tables.axis;
@@ -241,6 +249,7 @@ void read_windio(const SourceFile& source, FoundModel& model) {
         ", materials, layers and control; the hub is held, its mass is not in the file");
     if (has_air) read_windio_aerodynamics(root, is_new, tables.axis, tables.twist, model);
     read_rotor(root, unit, model);
+    read_gravity(root, model);
   } catch (const YAML::Exception& error) {
     refuse(source.name, error.mark.is_null() ? 0 : error.mark.line + 1,
            "is no YAML: " + printable(error.msg) + ", expected an ontology of WindIO");

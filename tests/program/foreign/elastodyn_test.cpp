@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "models/error.h"
 #include "tests/contains.h"
@@ -160,4 +161,54 @@ TEST_CASE("older blade files have columns and keys of other names") {
   const spatial::Sections& s = imported.scenario.space->blades[0].beam.sections;
   CHECK(s.torsion_stiffness == std::vector<double>{3e4, 5e4});
   CHECK(s.axial_stiffness == std::vector<double>{4e8, 6e8});
+}
+
+TEST_CASE("gravity acts down the tower, whose foot stands over the ground") {
+  constexpr double standard = 9.80665;  // m/s^2
+  for (const bool is_alone : {true, false}) {
+    CAPTURE(is_alone);
+    const auto imported =
+        is_alone ? import_texts(samples(), {"small_ElastoDyn_tower.dat"}, {.tower_height = 24.0})
+                 : import_texts(samples(),
+                                {"small_ElastoDyn.dat", "small_BeamDyn.dat", "small_AeroDyn.dat"});
+    const spatial::Model& model = *imported.scenario.space;
+    const Eigen::Vector3d turn = model.subsystems.back().joints.at(0).joint.orientation;
+    const Eigen::Vector3d up =
+        Eigen::AngleAxisd(turn.norm(), turn.normalized()) * Eigen::Vector3d::UnitX();
+    CHECK((model.gravity + standard * up).norm() < 1e-14 * standard);
+    CHECK(contains(imported.text, "not in the files: standard gravity, down along the tower"));
+  }
+  // The base of the tower is 1 m above the ground, and the scenario's origin at the base.
+  const auto imported =
+      import_texts(samples(), {"small_ElastoDyn.dat", "small_BeamDyn.dat", "small_AeroDyn.dat"});
+  CHECK(imported.scenario.space->air->wind.ground == -1.0);
+  CHECK(imported.scenario.space->air->wind.velocity.isZero(0.0));
+  CHECK(contains(imported.text, "ground = -1   # TowerBsHt, small_ElastoDyn.dat:"));
+  const auto blade = import_texts(samples(), {"small_BeamDyn.dat"});
+  CHECK(blade.scenario.space->gravity.isZero(0.0));
+  CHECK(contains(blade.left_out.back(), "gravity"));
+}
+
+TEST_CASE("what a turbine has and the scenario has not is said") {
+  const auto left_out = [](const std::string& more) {
+    Texts texts = samples();
+    std::string& text = texts["small_ElastoDyn.dat"];
+    text = replaced(text, "30            RotSpeed", more + "30            RotSpeed");
+    std::string all;
+    for (const std::string& line : import_texts(texts, {"small_ElastoDyn.dat"}).left_out)
+      all += line + '\n';
+    return all;
+  };
+  const std::string plain = left_out("");
+  for (const char* part : {"torque of the generator", "control of speed and pitch", "wind",
+                           "foundation", "in other files of a turbine: the air"})
+    CHECK(contains(plain, part));
+  CHECK_FALSE(contains(plain, "NacYaw"));
+  CHECK(left_out("0 NacYaw - yaw\n") == plain);
+  CHECK(contains(left_out("12.5 NacYaw - yaw\n"),
+                 "NacYaw, small_ElastoDyn.dat:12, which is 12.5: the nacelle looks along x"));
+  CHECK(contains(left_out("1.5E+07 PtfmMass - platform\n"), "PtfmMass, small_ElastoDyn.dat:12"));
+  CHECK(contains(left_out("3 BlPitch(1)\n3.5 BlPitch(2)\n3 BlPitch(3)\n"),
+                 "BlPitch(2), small_ElastoDyn.dat:13, which is 3.5: all blades have that of "
+                 "blade 1, 3"));
 }

@@ -154,6 +154,11 @@ TEST_CASE("the outer shape of an ontology becomes stations of the blade") {
   }
   CHECK(model.air->density == 1.2);
   CHECK(model.air->viscosity == doctest::Approx(1.8e-5 / 1.2));
+  CHECK(imported.scenario.space->gravity == Eigen::Vector3d(0.0, 0.0, -9.80665));
+  Texts with_gravity = samples();
+  with_gravity[kAired] = replaced(with_gravity[kAired], "    air_density: 1.2",
+                                  "    gravity: 9.7\n    air_density: 1.2");
+  CHECK(import_texts(with_gravity, {kAired}).scenario.space->gravity.z() == -9.7);
   CHECK(contains(imported.text, "# shear_exponent = 0.15   # environment.shear_exp"));
   CHECK(contains(imported.text, "# reference_height = 25   # assembly.hub_height"));
   const Scenario bare = import_texts(samples(), {"small_windio.yaml"}).scenario;
