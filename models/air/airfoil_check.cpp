@@ -19,47 +19,66 @@ constexpr double kLargest = 100.0;  // no coefficient is larger
 
 std::string in_degrees(double angle) { return describe(angle * (180.0 / std::numbers::pi)); }
 
+/// A fault of an angle; `expected` in degrees and in rad.
+PolarFault make_angle_fault(int row, double angle, const std::string& degrees,
+                            const std::string& radians) {
+  // No other angle is as large: it was given in degrees.
+  const char* hint = std::abs(angle) > 2.0 * std::numbers::pi ? ": degrees?" : "";
+  return {row, "angle", "angle of attack is " + in_degrees(angle) + " degrees, expected " + degrees,
+          "is " + describe(angle) + ", expected " + radians + " (rad)" + hint};
+}
+
 std::optional<PolarFault> find_angle_fault(const std::vector<double>& angle) {
   constexpr double least_gap = 1e-6;
-  if (angle.size() < 3)
-    return PolarFault{
-        -1, "has " + std::to_string(angle.size()) + " angles of attack, expected 3 or more"};
+  if (angle.size() < 3) {
+    const std::string has = "has " + std::to_string(angle.size());
+    return PolarFault{-1, "angle", has + " angles of attack, expected 3 or more",
+                      has + " values, expected 3 or more"};
+  }
+  const std::string end = describe(std::numbers::pi);
   for (std::size_t i = 0; i < angle.size(); ++i) {
-    const std::string is = "angle of attack is " + in_degrees(angle[i]) + " degrees";
     const int row = static_cast<int>(i);
-    if (!std::isfinite(angle[i])) return PolarFault{row, is + ", expected a finite number"};
+    if (!std::isfinite(angle[i]))
+      return make_angle_fault(row, angle[i], "a finite number", "a finite number");
     if (i == 0 && std::abs(angle[i] + std::numbers::pi) > least_gap)
-      return PolarFault{row, is + ", expected -180 in the first row"};
+      return make_angle_fault(row, angle[i], "-180 in the first row", "-pi as the first, -" + end);
     if (i > 0 && !(angle[i] > angle[i - 1] + least_gap))
-      return PolarFault{row,
-                        is + ", expected more than in the row before, " + in_degrees(angle[i - 1])};
+      return make_angle_fault(row, angle[i],
+                              "more than in the row before, " + in_degrees(angle[i - 1]),
+                              "more than the one before, " + describe(angle[i - 1]));
     if (i + 1 == angle.size() && std::abs(angle[i] - std::numbers::pi) > least_gap)
-      return PolarFault{row, is + ", expected 180 in the last row"};
+      return make_angle_fault(row, angle[i], "180 in the last row", "pi as the last, " + end);
   }
   return std::nullopt;
 }
 
+/// `least`: what is expected; `tolerated`: what is let pass.
 std::optional<PolarFault> find_column_fault(const std::string& name,
                                             const std::vector<double>& column, std::size_t size,
-                                            double least) {
-  if (column.size() != size)
-    return PolarFault{-1, "has " + std::to_string(column.size()) + " values of " + name +
-                              ", expected one for each of " + std::to_string(size) +
-                              " angles of attack"};
-  for (std::size_t i = 0; i < size; ++i)
-    if (!(column[i] >= least && column[i] <= kLargest))
-      return PolarFault{static_cast<int>(i), name + " is " + describe(column[i]) + ", expected " +
-                                                 describe(least) + " to " + describe(kLargest)};
+                                            double least, double tolerated) {
+  if (column.size() != size) {
+    const std::string has = "has " + std::to_string(column.size()) + " values",
+                      expected = ", expected one for each of " + std::to_string(size) +
+                                 " angles of attack";
+    return PolarFault{-1, name, has + " of " + name + expected, has + expected};
+  }
+  for (std::size_t i = 0; i < size; ++i) {
+    if (column[i] >= tolerated && column[i] <= kLargest) continue;
+    const std::string is =
+        "is " + describe(column[i]) + ", expected " + describe(least) + " to " + describe(kLargest);
+    return PolarFault{static_cast<int>(i), name, name + ' ' + is, is};
+  }
   return std::nullopt;
 }
 
 std::optional<PolarFault> find_open_end(const std::string& name,
                                         const std::vector<double>& column) {
   if (column.empty() || column.front() == column.back()) return std::nullopt;
-  return PolarFault{static_cast<int>(column.size()) - 1,
-                    name + " is " + describe(column.back()) + " at 180 degrees, expected " +
-                        describe(column.front()) + " as at -180 degrees",
-                    true};
+  const std::string last = "is " + describe(column.back()),
+                    first = ", expected " + describe(column.front());
+  return PolarFault{static_cast<int>(column.size()) - 1, name,
+                    name + ' ' + last + " at 180 degrees" + first + " as at -180 degrees",
+                    last + " at pi" + first + " as at -pi", true};
 }
 
 }  // namespace
@@ -67,10 +86,11 @@ std::optional<PolarFault> find_open_end(const std::string& name,
 std::optional<PolarFault> find_polar_fault(const Polar& polar) {
   if (auto fault = find_angle_fault(polar.angle)) return fault;
   const std::size_t size = polar.angle.size();
-  if (auto fault = find_column_fault("lift", polar.lift, size, -kLargest)) return fault;
-  if (auto fault = find_column_fault("drag", polar.drag, size, 0.0)) return fault;
+  if (auto fault = find_column_fault("lift", polar.lift, size, -kLargest, -kLargest)) return fault;
+  if (auto fault = find_column_fault("drag", polar.drag, size, 0.0, kLeastDrag)) return fault;
   if (!polar.moment.empty())
-    if (auto fault = find_column_fault("moment", polar.moment, size, -kLargest)) return fault;
+    if (auto fault = find_column_fault("moment", polar.moment, size, -kLargest, -kLargest))
+      return fault;
   if (auto fault = find_open_end("lift", polar.lift)) return fault;
   if (auto fault = find_open_end("drag", polar.drag)) return fault;
   return find_open_end("moment", polar.moment);

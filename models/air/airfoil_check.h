@@ -9,16 +9,22 @@
 
 namespace spoke::air {
 
-/// What is wrong with a polar: row, from 0, or -1, and a clause "alpha is 3, expected ...".
+/// Drag that is tolerated, with a warning: polars that were extended to all angles of attack may
+/// dip below zero where there is next to none.
+inline constexpr double kLeastDrag = -0.01;
+
+/// What is wrong with a polar, in the words of a table of text and in those of the member.
 struct PolarFault {
-  int row = -1;
-  std::string what;
+  int row = -1;                   ///< from 0; -1: the column as a whole
+  std::string column;             ///< "angle", "lift", "drag" or "moment"
+  std::string what;               ///< "drag is -3, expected 0 to 100"; angles in degrees
+  std::string is;                 ///< "is -3, expected 0 to 100"; angles in rad
   bool only_ends_differ = false;  ///< all else is well
 };
 
 /// Finds what is wrong with a polar: angles of attack that do not ascend from -pi to pi, fewer than
 /// three, columns of another length, numbers that are not finite or far from any aerofoil's, drag
-/// below zero, ends that differ. None if all is well.
+/// below kLeastDrag, ends that differ. None if all is well.
 std::optional<PolarFault> find_polar_fault(const spatial::Polar& polar);
 
 /// Throws InputError "aerofoil "NAME": ..." unless the aerofoil has polars, all are well, and their

@@ -115,6 +115,9 @@ void look_at_blades(const std::vector<spatial::Blade>& blades, Hints& hints) {
     const std::string of = "blade " + std::to_string(i + 1);
     hints.look("precone", of, blades[i].precone, kRightAngle);
     look_at_twist(of, blades[i].beam, hints);
+    if (blades[i].aerodynamics)
+      for (const double twist : blades[i].aerodynamics->twist)
+        hints.look("aerodynamics.twist", of, twist, kHalfTurn);
     for (std::size_t k = 0; k < blades[i].joints.size(); ++k) {
       const spatial::Joint& joint = blades[i].joints[k].joint;
       look_at_joint(describe_joint(joint, k) + " of " + of, joint, hints);
@@ -165,6 +168,13 @@ void look_at_anchors(const std::vector<Anchor>& anchors, Hints& hints) {
   }
 }
 
+void look_at_pitch(const PitchControl& control, Hints& hints) {
+  const std::string of = "[control.pitch]";
+  hints.look("minimum", of, control.minimum, kHalfTurn);
+  hints.look("maximum", of, control.maximum, kHalfTurn);
+  hints.look("initial", of, control.initial, kHalfTurn);
+}
+
 }  // namespace
 
 std::vector<std::string> find_angle_hints(const Scenario& scenario) {
@@ -183,6 +193,7 @@ std::vector<std::string> find_angle_hints(const Scenario& scenario) {
   if (model.hub.mount)
     look_at_rotation("the rotation of the hub's mount", model.hub.mount->rotation, hints);
   look_at_anchors(model.anchors, hints);
+  if (model.pitch_control) look_at_pitch(*model.pitch_control, hints);
   return hints.take();
 }
 

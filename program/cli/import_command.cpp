@@ -95,6 +95,7 @@ int import_scenario(const Arguments& arguments, const ImportArguments& own) {
   print_lines("read", imported.sources);
   print_model(*imported.scenario.space);
   print_lines("left out", imported.left_out);
+  warn_of_oddities(arguments.out, imported.scenario);
   print_line("written",
              imported.tables.empty()
                  ? arguments.out

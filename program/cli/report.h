@@ -27,7 +27,7 @@ void print_model(const Simulation& simulation);
 void print_plan(const Simulation& simulation, int processes);
 
 /// Warns on stderr of what is valid but looks wrong, a line each: kinds of angles that seem to be
-/// given in degrees, solids that are too stiff. `file`: the scenario's.
+/// given in degrees, drag below zero, solids that are too stiff. `file`: the scenario's.
 void warn_of_oddities(const std::string& file, const Scenario& scenario);
 
 /// Returns the heads of the columns of sensors.csv behind the time's, as cells (csv_cell.h).

@@ -15,6 +15,9 @@ namespace spoke::foreign {
 namespace {
 
 constexpr int kMostAirfoils = 10000;
+/// What WakeMod of OpenFAST 3.5 is larger by for the momentum balance that later versions call
+/// BEM_Mod 2.
+constexpr int kOtherBalance = 10;
 
 /// Reads a positive number, or "default".
 Value read_or_default(KeyedLines& reader, const char* key) {
@@ -48,8 +51,15 @@ void read_models(KeyedLines& reader, FoundModel& model) {
   FoundAir& air = *model.air;
   const bool is_new = reader.has("Wake_Mod");
   const char* key = is_new ? "Wake_Mod" : "WakeMod";
-  const int wake = reader.count(key, 0, 3);
+  int wake = reader.count(key, 0, is_new ? 3 : 12);
   const std::string from = std::string(key) + ", " + reader.lines().place();
+  if (wake > 3 && wake < kOtherBalance)
+    reader.lines().refuse("WakeMod is \"" + std::to_string(wake) +
+                          "\", expected a whole number from 0 to 3, or from 10 to 12");
+  if (wake >= kOtherBalance) {
+    wake -= kOtherBalance;
+    model.left_out.push_back(from + ": momentum theory for large cone and prebend (BEM_Mod 2)");
+  }
   air.induction = {wake == 0 ? "none" : "momentum", from};
   if (wake == 3)
     model.left_out.push_back(from + ": the free vortex wake; induction is by momentum theory");

@@ -41,8 +41,9 @@ Fault find_fault(const Airfoil& airfoil) {
   for (std::size_t k = 0; k < airfoil.polars.size(); ++k) {
     const std::string key = "polar." + std::to_string(k + 1);
     if (const auto fault = spoke::air::find_polar_fault(airfoil.polars[k]))
-      first.add({key, (fault->row < 0 ? "" : "row " + std::to_string(fault->row + 1) + ": ") +
-                          fault->what});
+      first.add(
+          {key + '.' + fault->column + (fault->row < 0 ? "" : '.' + std::to_string(fault->row + 1)),
+           fault->is});
     if (airfoil.polars.size() > 1 && airfoil.polars[k].reynolds <= 0.0)
       first.add({key + ".reynolds", "is missing, expected one, as there are several polars"});
     if (k > 0 && airfoil.polars[k].reynolds <= airfoil.polars[k - 1].reynolds)

@@ -74,7 +74,12 @@ Airfoil read_airfoil(const TomlSection& section, const std::string& folder) {
          section.sections("polar", {"reynolds", "angle", "lift", "drag", "moment"}))
       airfoil.polars.push_back(read_polar(table));
   }
-  if (const Fault fault = find_fault(airfoil)) section.fail_at(fault.path, fault.text);
+  if (const Fault fault = find_fault(airfoil)) {
+    // A single polar stands in the aerofoil's own table.
+    constexpr std::string_view kOwn = "polar.1.";
+    const bool is_own = section.has("angle") && fault.path.starts_with(kOwn);
+    section.fail_at(is_own ? fault.path.substr(kOwn.size()) : fault.path, fault.text);
+  }
   return airfoil;
 }
 

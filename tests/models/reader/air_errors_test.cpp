@@ -106,40 +106,42 @@ TEST_CASE("aerofoils that cannot be are refused") {
            "file = 3", "f.toml:25:8: airfoil.1.file: is 3, expected text in quotes"},
           {"angle = [-3.141592653589793, 0.0, 3.141592653589793]",
            "angle = [-3.141592653589793, 3.141592653589793]",
-           "f.toml:23:1: airfoil.1.polar.1: has 2 angles of attack, expected 3 or more"},
+           "f.toml:25:9: airfoil.1.angle: has 2 values, expected 3 or more"},
           {"angle = [-3.141592653589793, 0.0, 3.141592653589793]",
            "angle = [-3.0, 0.0, 3.141592653589793]",
-           "f.toml:23:1: airfoil.1.polar.1: row 1: angle of attack is -171.88733853924697 degrees, "
-           "expected -180 in the first row"},
+           "f.toml:25:10: airfoil.1.angle.1: is -3, expected -pi as the first, -3.141592653589793 "
+           "(rad)"},
           {"angle = [-3.141592653589793, 0.0, 3.141592653589793]", "angle = [-180.0, 0.0, 180.0]",
-           "f.toml:23:1: airfoil.1.polar.1: row 1: angle of attack is -10313.240312354817 degrees, "
-           "expected -180 in the first row"},
+           "f.toml:25:10: airfoil.1.angle.1: is -180, expected -pi as the first, "
+           "-3.141592653589793 "
+           "(rad): degrees?"},
           {"angle = [-3.141592653589793, 0.0, 3.141592653589793]",
            "angle = [-3.141592653589793, 3.141592653589793, 0.0]",
-           "f.toml:23:1: airfoil.1.polar.1: row 3: angle of attack is 0 degrees, expected more "
-           "than in the row before, 180"},
+           "f.toml:25:49: airfoil.1.angle.3: is 0, expected more than the one before, "
+           "3.141592653589793 (rad)"},
           {"angle = [-3.141592653589793, 0.0, 3.141592653589793]", "angle = \"all\"",
            "f.toml:25:9: airfoil.1.angle: is \"all\", expected an array of numbers (rad)"},
           {"lift = [0.0, 0.0, 0.0]", "lift = [0.0, 0.0]",
-           "f.toml:23:1: airfoil.1.polar.1: has 2 values of lift, expected one for each of 3 "
-           "angles of attack"},
+           "f.toml:26:8: airfoil.1.lift: has 2 values, expected one for each of 3 angles of "
+           "attack"},
           {"lift = [0.0, 0.0, 0.0]", "lift = [0.0, 0.0, 0.4]",
-           "f.toml:23:1: airfoil.1.polar.1: row 3: lift is 0.4 at 180 degrees, expected 0 as at "
-           "-180 degrees"},
+           "f.toml:26:19: airfoil.1.lift.3: is 0.4 at pi, expected 0 as at -pi"},
           {"lift = [0.0, 0.0, 0.0]", "lift = [0.0, nan, 0.0]",
            "f.toml:26:14: airfoil.1.lift.2: is nan, expected a finite number"},
           {"lift = [0.0, 0.0, 0.0]\n", "",
            "f.toml:23:1: airfoil.1.lift: is missing, expected an array of numbers"},
           {"drag = [0.5, 0.5, 0.5]", "drag = [0.5, -0.1, 0.5]",
-           "f.toml:23:1: airfoil.1.polar.1: row 2: drag is -0.1, expected 0 to 100"},
+           "f.toml:27:14: airfoil.1.drag.2: is -0.1, expected 0 to 100"},
           {"drag = [0.5, 0.5, 0.5]", "drag = [0.5]",
-           "f.toml:23:1: airfoil.1.polar.1: has 1 values of drag, expected one for each of 3 "
-           "angles of attack"},
+           "f.toml:27:8: airfoil.1.drag: has 1 values, expected one for each of 3 angles of "
+           "attack"},
           {"drag = [0.5, 0.5, 0.5]", "drag = [0.5, 0.5, 0.5]\nmoment = [0.0]",
-           "f.toml:23:1: airfoil.1.polar.1: has 1 values of moment, expected one for each of 3 "
-           "angles of attack"},
+           "f.toml:28:10: airfoil.1.moment: has 1 values, expected one for each of 3 angles of "
+           "attack"},
           {"drag = [0.5, 0.5, 0.5]", "drag = [0.5, 0.5, 0.5]\nreynolds = -1.0",
            "f.toml:28:12: airfoil.1.reynolds: is -1.0, expected a number of 0 or more"},
+          {"lift = [0.0, -1.2, 0.0, 1.2, 0.0]", "lift = [0.0, -120.0, 0.0, 1.2, 0.0]",
+           "f.toml:39:14: airfoil.2.polar.2.lift.2: is -120, expected -100 to 100"},
           {"reynolds = 1e6", "reynolds = 1e5",
            "f.toml:37:12: airfoil.2.polar.2.reynolds: is 1e+05, expected more than that of the "
            "polar before"},

@@ -2,10 +2,12 @@
 
 #include "models/reader/angle_hints.h"
 
+#include "tests/models/reader/air_texts.h"
 #include "tests/models/reader/spatial_texts.h"
 
 using namespace spoke;
 using spoke::test::edited;
+using spoke::test::kAirText;
 using spoke::test::kBladeText;
 using spoke::test::kTreeText;
 
@@ -85,4 +87,16 @@ TEST_CASE("angles of subsystems are asked about by their names, ways of joints a
               "degrees?"});
   const std::string prismatic = "kind = \"prismatic\"\naxis = [1, 0, 0]\ninitial = 90\n";
   CHECK(hints_of(edited(kTreeText, spherical, prismatic)).empty());
+}
+
+TEST_CASE("the twist of aerofoils and the limits of pitch are asked about") {
+  CHECK(hints_of(kAirText).empty());
+  CHECK(hints_of(edited(kAirText, "twist = [0.2, 0.1, 0.0]", "twist = [13.3, 5.0, 0.0]")) ==
+        Hints{"the aerodynamics.twist of blade 1 is 13.3 rad, beyond half a turn, pi: degrees?"});
+  Scenario scenario = parse_scenario(kAirText, "f.toml");
+  scenario.space->pitch_control = PitchControl{.minimum = -0.1, .maximum = 1.57};
+  CHECK(find_angle_hints(scenario).empty());
+  scenario.space->pitch_control->maximum = 90.0;
+  CHECK(find_angle_hints(scenario) ==
+        Hints{"the maximum of [control.pitch] is 90 rad, beyond half a turn, pi: degrees?"});
 }

@@ -118,6 +118,14 @@ TEST_CASE("air and its models are AeroDyn's") {
         spatial::Induction::none);
   CHECK(air_of(changed(kAero, "1             WakeMod", "2 WakeMod")).inflow ==
         spatial::Inflow::dynamic);
+  // Of version 3.5: larger by 10 where momentum theory is that for cone and prebend.
+  const auto by_wake = [&](const char* wake) {
+    return air_of(changed(kAero, "1             WakeMod", std::string(wake) + " WakeMod"));
+  };
+  CHECK(by_wake("10").induction == spatial::Induction::none);
+  CHECK(by_wake("11").induction == spatial::Induction::momentum);
+  CHECK(by_wake("11").inflow == spatial::Inflow::quasi_steady);
+  CHECK(by_wake("12").inflow == spatial::Inflow::dynamic);
   CHECK(air_of(changed(kAero, "2             AFAeroMod", "1 AFAeroMod")).stall ==
         spatial::Stall::steady);
   CHECK(air_of(changed(kAero, "1.2           AirDens", "\"DEFAULT\" AirDens")).density == 1.225);
@@ -140,6 +148,8 @@ TEST_CASE("what AeroDyn's files ask for and the scenario has not is said") {
   CHECK(contains(left_out(samples()), "small_AeroDyn.dat: the tower's influence"));
   CHECK(contains(left_out(changed(kAero, "1             WakeMod", "3 WakeMod")),
                  "WakeMod, small_AeroDyn.dat:6: the free vortex wake"));
+  CHECK(contains(left_out(changed(kAero, "1             WakeMod", "12 WakeMod")),
+                 "WakeMod, small_AeroDyn.dat:6: momentum theory for large cone and prebend"));
   CHECK(contains(left_out(changed(kAero, "True          HubLoss", "False HubLoss")),
                  "HubLoss False, small_AeroDyn.dat:15"));
   CHECK(contains(left_out(changed(kAero, "2             AFTabMod", "1 AFTabMod")),
