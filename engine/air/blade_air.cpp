@@ -24,9 +24,12 @@ struct WindAgainstHub {
 
   explicit WindAgainstHub(const RotorPlace& rotor) {
     const Vector3d wind = rotor.wind - rotor.velocity;
-    along = wind.dot(rotor.axis);
+    const double size =
+        rotor.wind.lpNorm<Eigen::Infinity>() + rotor.velocity.lpNorm<Eigen::Infinity>();
+    along = without_rounding(wind.dot(rotor.axis), size);
     in_plane = wind - along * rotor.axis;
-    across = in_plane.norm();
+    across = without_rounding(in_plane.norm(), size);
+    if (across == 0.0) in_plane.setZero();
   }
 };
 

@@ -22,6 +22,7 @@ struct ChordFlow {
 }  // namespace
 
 double SectionAxes::find_attack(double axial_flow, double ahead) const noexcept {
+  if (axial_flow == 0.0 && ahead == 0.0) return 0.0;  // whatever the signs of the zeros
   const ChordFlow flow(*this, axial_flow, ahead);
   return std::atan2(flow.normal, flow.along);
 }
@@ -54,7 +55,9 @@ SectionFlow find_flow(const SectionAxes& axes, const MarkerMotion& section,
                       const Eigen::Vector3d& wind, double ahead, double in_plane) noexcept {
   const Eigen::Vector3d flow =
       wind - section.velocity - section.angular_velocity.cross(ahead * axes.chord);
-  return {flow.dot(axes.axial), -flow.dot(axes.tangential), in_plane};
+  const double size = wind.lpNorm<Eigen::Infinity>() + section.velocity.lpNorm<Eigen::Infinity>();
+  return {without_rounding(flow.dot(axes.axial), size),
+          without_rounding(-flow.dot(axes.tangential), size), in_plane};
 }
 
 double find_turning_angle(const SectionAxes& axes, const MarkerMotion& section,

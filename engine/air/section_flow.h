@@ -3,6 +3,7 @@
 // Flow against a section of a blade, and the axes in which it is described.
 
 #include <Eigen/Core>
+#include <cmath>
 
 #include "engine/air/annulus.h"
 #include "engine/air/rotor_place.h"
@@ -21,9 +22,17 @@ struct SectionAxes {
   double radius;            ///< [m]
   double pitch_sine, pitch_cosine;  ///< of the chord against the tangential axis, nose up
 
-  /// Returns the angle of flow against the chord, positive against its lower side [rad].
+  /// Returns the angle of flow against the chord, positive against its lower side; 0 where air is
+  /// at rest against the section [rad].
   double find_attack(double axial_flow, double ahead) const noexcept;
 };
+
+/// Returns a difference of two velocities; 0 where it is what rounding leaves of them when they
+/// cancel. size: of the velocities [m/s].
+inline double without_rounding(double difference, double size) noexcept {
+  constexpr double share = 1e-12;  // velocities are sums over the bodies that carry a section
+  return std::abs(difference) > share * size ? difference : 0.0;
+}
 
 /// Returns the axes of a section. sine, cosine: of the chord's twist; side: 1, or -1 if leading
 /// edges look towards -y.

@@ -70,6 +70,41 @@ TEST_CASE("blade_air: a standing blade in wind has lift and drag of its sections
   CHECK(run.force().x() == approx(10.0 * pressure * drag));
 }
 
+TEST_CASE("blade_air: air that is at rest against a blade, but for rounding, does nothing") {
+  const spatial::Air air = steady_air({make_airfoil("plate", plate_lift, 0.02, -0.05)});
+  const air::BladeAir blade(constant_blade(0.5, 0.7, 0.1), air, 3, 1.0, kStations);
+  AirRun run(blade);
+  const auto go = [&](const Vector3d& velocity, const Vector3d& wind) {
+    std::vector<MarkerMotion> sections =
+        move_blade({.azimuth = 0.4, .cone = -0.3}, blade.stations());
+    for (MarkerMotion& section : sections) section.velocity += velocity;
+    const air::RotorPlace rotor{Vector3d::Zero(), Vector3d::UnitX(), velocity, 0.0, wind};
+    blade.evaluate(rotor, sections, std::vector<Vector3d>(blade.count(), wind), kForever,
+                   run.state.data(), run.state.data(), run.loads, run.seen, false);
+  };
+  const Vector3d velocity(0.3, -0.6, 0.7);
+  const Vector3d wind(0.1 + 0.2, -(0.1 + 0.5), 0.8 - 0.1);  // the same, but for the last bits
+  REQUIRE(wind != velocity);
+  go(velocity, wind);
+  for (const air::StationAir& seen : run.seen) {
+    CHECK(seen.attack == 0.0);
+    CHECK(seen.axial_induction == 0.0);
+    CHECK(seen.tangential_induction == 0.0);
+    CHECK(seen.lift == plate_lift(0.0));
+  }
+  CHECK(run.force().isZero(0.0));
+  // Along the axis it meets a rotor that stands as it does where nothing moves.
+  go(velocity, wind + 8.0 * Vector3d::UnitX());
+  const std::vector<air::StationAir> moving = run.seen;
+  go(Vector3d::Zero(), {8.0, 0.0, 0.0});
+  for (std::size_t k = 0; k < moving.size(); ++k) {
+    CHECK(moving[k].attack == approx(run.seen[k].attack));
+    CHECK(moving[k].axial_induction == approx(run.seen[k].axial_induction));
+    CHECK(moving[k].tangential_induction == 0.0);  // air comes along the axis alone
+    CHECK(run.seen[k].tangential_induction == 0.0);
+  }
+}
+
 TEST_CASE("blade_air: flow along the blade does not count") {
   const air::BladeAir blade(constant_blade(0.5, 0.05, 0.0), still_air(0.01), 2, 1.0, kStations);
   AirRun run(blade), along(blade);
