@@ -1,4 +1,4 @@
-// Seeks the speed at which the air's torque balances the drive's, or the pitch.
+// Seeks the speed or the pitch at which the air's torque balances the drive's.
 
 #include <algorithm>
 #include <cmath>
@@ -29,17 +29,33 @@ constexpr double kResolution = 1e-7;
 /// Pitch as the scenario controls it, or as it is asked for.
 struct Pitch {
   std::vector<std::string> joints;
+  double stands = 0.0;                ///< where the scenario holds the first of the joints [rad]
   double sign = 1.0;                  ///< of joint angles by angles towards feather
   std::optional<double> held;         ///< asked for [rad]
   std::optional<double> least, most;  ///< of a controller, towards feather [rad]
   double set_point = 0.0;             ///< of a controller [rad/s]
 };
 
-bool has_joint(const spatial::Model& model, const std::string& name) {
-  const auto is_named = [&](const auto& joint) { return joint.joint.name == name; };
-  return std::any_of(model.blades.begin(), model.blades.end(), [&](const spatial::Blade& blade) {
-    return std::any_of(blade.joints.begin(), blade.joints.end(), is_named);
-  });
+/// Returns the first joint of blades, or else of subsystems, of a name; null: there is none.
+const spatial::Joint* find_joint(const spatial::Model& model, const std::string& name) {
+  for (const spatial::Blade& blade : model.blades)
+    for (const spatial::BladeJoint& joint : blade.joints)
+      if (joint.joint.name == name) return &joint.joint;
+  for (const spatial::Subsystem& subsystem : model.subsystems)
+    for (const spatial::SubsystemJoint& joint : subsystem.joints)
+      if (joint.joint.name == name) return &joint.joint;
+  return nullptr;
+}
+
+/// Returns the angle at which a joint is held, all courses over, in the mean over a turn [rad]; 0
+/// if it is free.
+double find_angle(const spatial::Joint* joint) {
+  if (joint == nullptr || !joint->coordinates[0].motion) return 0.0;
+  const spatial::Motion& motion = *joint->coordinates[0].motion;
+  if (const auto* table = std::get_if<spatial::MotionTable>(&motion))
+    return table->value.value(kLate);
+  if (const auto* program = std::get_if<spatial::ProgramMotion>(&motion)) return program->initial;
+  return std::get<spatial::AzimuthMotion>(motion).mean;
 }
 
 Pitch find_pitch(const spatial::Model& model, const PerformanceOptions& options) {
@@ -51,13 +67,45 @@ Pitch find_pitch(const spatial::Model& model, const PerformanceOptions& options)
     pitch.least = control.minimum;
     pitch.most = control.maximum;
     pitch.set_point = control.speed;
-  } else if (!options.pitch.empty()) {
-    if (!has_joint(model, options.joint))
-      throw InputError("no blade has a joint \"" + options.joint +
-                       "\", expected the name of the joint that pitches a blade");
+  } else if (find_joint(model, options.joint) != nullptr) {
     pitch.joints = {options.joint};
+  } else if (!options.pitch.empty()) {
+    throw InputError("no blade has a joint \"" + options.joint +
+                     "\", expected the name of the joint that pitches a blade");
   }
+  if (!pitch.joints.empty()) pitch.stands = find_angle(find_joint(model, pitch.joints.front()));
   return pitch;
+}
+
+/// A way along which the torque on a rotor falls from driving to braking: at 0 it turns at its
+/// greatest speed at its least pitch; below, slower by that share; above, pitch is larger by so
+/// many rad.
+struct OperatingLine {
+  double lowest = -1.0, highest = 0.0;
+};
+
+/// How a search along the line ended.
+struct LineEnd {
+  std::optional<double> place;  ///< where torque goes through zero, falling; none: nowhere
+  bool drives = false;          ///< then: whether it drives up to the end, or brakes down to it
+};
+
+/// Searches a torque along the line for the zero next to a place.
+template <class Torque>
+LineEnd search(const OperatingLine& line, double from, const Torque& torque) {
+  constexpr double kStep = 0.03;
+  double here = from, value = torque(here);
+  const bool drives = value >= 0.0;
+  const double end = drives ? line.highest : line.lowest;
+  while (here != end) {
+    const double next = drives ? std::min(here + kStep, end) : std::max(here - kStep, end);
+    const double next_value = torque(next);
+    if ((next_value >= 0.0) != drives)
+      return {air::find_zero(torque, here, value, next, next_value, kResolution)};
+    here = next;
+    value = next_value;
+  }
+  return {std::nullopt, drives};
 }
 
 /// A rotor with its drive.
@@ -67,7 +115,8 @@ class Performance {
       : model_(*scenario.space),
         options_(options),
         pitch_(find_pitch(model_, options)),
-        rotor_(scenario, pitch_.joints, options.is_rigid) {
+        rotor_(scenario, pitch_.joints, options.is_rigid),
+        rigid_(scenario, pitch_.joints, true) {
     for (const spatial::Blade& blade : model_.blades)
       if (blade.aerodynamics)
         radius_ = model_.hub.radius + blade.beam.length * std::cos(blade.precone);
@@ -76,86 +125,94 @@ class Performance {
   }
 
   double radius() const { return radius_; }
+  /// Returns the angle at which the scenario holds the pitch joints [rad].
+  double standing_pitch() const { return pitch_.stands; }
+  /// Returns the least angle of the pitch joints [rad].
+  double first_pitch() const {
+    if (!options_.pitch.empty()) return options_.pitch.front();
+    return least_angle().value_or(pitch_.stands);
+  }
 
   /// Returns the state in wind of a speed, at the speed that the rotor finds.
   PerformancePoint find(double wind) {
     if (!options_.pitch.empty()) pitch_.held = options_.pitch.front();
-    const std::optional<double> angle = pitch_.held ? pitch_.held : least_angle();
-    if (given_speed_) return evaluate(wind, *given_speed_, angle);
-    const std::optional<double> speed = find_speed(wind, angle);
-    if (!speed) {
-      PerformancePoint gap = describe(wind, 0.0, angle.value_or(0.0), {});
-      gap.gap = "the air does not turn the rotor against its drive";
-      return gap;
-    }
-    const bool is_above = std::abs(*speed) > std::abs(pitch_.set_point);
-    if (pitch_.held || !pitch_.most || !is_above) return evaluate(wind, *speed, angle);
-    return hold_set_point(wind);
-  }
-
-  PerformancePoint evaluate(double wind, double speed, std::optional<double> angle) {
-    return describe(wind, speed, angle.value_or(0.0), rotor_.find(wind, speed, angle));
-  }
-
- private:
-  std::optional<double> least_angle() const {
-    if (!pitch_.least) return std::nullopt;
-    return pitch_.sign * *pitch_.least;
-  }
-
-  /// Returns the torque of air and drive together [N m].
-  double balance(double wind, double speed, std::optional<double> angle) {
-    return rotor_.find(wind, speed, angle).torque + calc_torque(model_.hub.drive, kLate, speed);
-  }
-
-  /// Returns the greatest speed at which the torques balance: from a tip-speed ratio beyond any
-  /// rotor's on downwards; none: they do nowhere.
-  std::optional<double> find_speed(double wind, std::optional<double> angle) {
-    constexpr double kFrom = 16.0, kStep = 1.0, kTo = 0.5;
-    const double turn = pitch_.set_point < 0.0 ? -1.0 : 1.0;
-    const auto f = [&](double ratio) {
-      return turn * balance(wind, turn * ratio * wind / radius_, angle);
-    };
-    double above = kFrom, f_above = f(above);
-    for (double ratio = kFrom - kStep; ratio >= kTo; ratio -= kStep) {
-      const double f_here = f(ratio);
-      if (f_here >= 0.0 && f_above < 0.0)
-        return turn * wind / radius_ *
-               air::find_zero(f, ratio, f_here, above, f_above, kResolution);
-      above = ratio;
-      f_above = f_here;
-    }
-    return std::nullopt;
-  }
-
-  /// Returns the state at the set point, at the least pitch that balances the torques there.
-  PerformancePoint hold_set_point(double wind) {
-    constexpr double kStep = 0.03;  // [rad]
-    const double turn = pitch_.set_point < 0.0 ? -1.0 : 1.0;
-    const auto f = [&](double theta) {
-      return turn * balance(wind, pitch_.set_point, pitch_.sign * theta);
-    };
-    double below = *pitch_.least, f_below = f(below);
-    while (below < *pitch_.most) {
-      const double theta = std::min(below + kStep, *pitch_.most), f_here = f(theta);
-      if (f_below >= 0.0 && f_here < 0.0) {
-        const double found = air::find_zero(f, below, f_below, theta, f_here, kResolution);
-        return evaluate(wind, pitch_.set_point, pitch_.sign * found);
-      }
-      below = theta;
-      f_below = f_here;
-    }
-    PerformancePoint gap = describe(wind, pitch_.set_point, pitch_.sign * *pitch_.most, {});
-    gap.gap = "pitch does not hold the set point within its limits";
+    if (given_speed_)
+      return evaluate(wind, *given_speed_, pitch_.held ? pitch_.held : least_angle());
+    const OperatingLine line = find_line(wind);
+    const LineEnd end = search_from_rigid(wind, line);
+    if (end.place) return evaluate(wind, speed_at(*end.place, wind), angle_at(*end.place));
+    const double place = end.drives ? line.highest : line.lowest;
+    PerformancePoint gap =
+        describe(wind, end.drives ? speed_at(place, wind) : 0.0, angle_at(place), {});
+    gap.gap = !end.drives       ? "the air does not turn the rotor against its drive"
+              : is_controlled() ? "pitch does not hold the set point within its limits"
+                                : "the air drives the rotor beyond a tip-speed ratio of 16";
     return gap;
   }
 
-  PerformancePoint describe(double wind, double speed, double angle,
+  PerformancePoint evaluate(double wind, double speed, std::optional<double> angle) {
+    return describe(wind, speed, angle, rotor_.find(wind, speed, angle));
+  }
+
+ private:
+  /// Whether speed ends at a set point, which pitch holds.
+  bool is_controlled() const { return pitch_.most && !pitch_.held; }
+
+  std::optional<double> least_angle() const {
+    if (!pitch_.least) return std::nullopt;
+    return pitch_.stands + pitch_.sign * *pitch_.least;
+  }
+
+  /// The speed at 0 of the line: the set point, or one beyond any rotor's [rad/s].
+  double greatest_speed(double wind) const {
+    constexpr double kRatio = 16.0;
+    const double turn = pitch_.set_point < 0.0 ? -1.0 : 1.0;
+    return is_controlled() ? pitch_.set_point : turn * kRatio * wind / radius_;
+  }
+
+  OperatingLine find_line(double wind) const {
+    constexpr double kLowest = 0.5;  // tip-speed ratio
+    const double lowest = kLowest * wind / (radius_ * std::abs(greatest_speed(wind)));
+    return {std::min(lowest - 1.0, 0.0), is_controlled() ? *pitch_.most - *pitch_.least : 0.0};
+  }
+
+  double speed_at(double place, double wind) const {
+    return greatest_speed(wind) * (1.0 + std::min(place, 0.0));
+  }
+
+  std::optional<double> angle_at(double place) const {
+    if (pitch_.held) return pitch_.held;
+    if (!pitch_.least) return std::nullopt;
+    return *least_angle() + pitch_.sign * std::max(place, 0.0);
+  }
+
+  /// Searches next to where the rigid rotor balances, which needs no equilibria of blades, and by
+  /// what the elastic one was off that in the wind before: so it is never asked for states far from
+  /// those sought, where blades may have none.
+  LineEnd search_from_rigid(double wind, const OperatingLine& line) {
+    const double turn = greatest_speed(wind) < 0.0 ? -1.0 : 1.0;
+    const auto torque_of = [&](RotorInWind& rotor) {
+      return [&, turn, wind](double place) {
+        const double speed = speed_at(place, wind);
+        return turn * (rotor.find(wind, speed, angle_at(place)).torque +
+                       calc_torque(model_.hub.drive, kLate, speed));
+      };
+    };
+    const LineEnd rigid = search(line, 0.0, torque_of(rigid_));
+    if (options_.is_rigid) return rigid;
+    const double guess = rigid.place ? *rigid.place : rigid.drives ? line.highest : line.lowest;
+    const LineEnd end =
+        search(line, std::clamp(guess + off_rigid_, line.lowest, line.highest), torque_of(rotor_));
+    off_rigid_ = rigid.place && end.place ? *end.place - *rigid.place : 0.0;
+    return end;
+  }
+
+  PerformancePoint describe(double wind, double speed, std::optional<double> angle,
                             const RotorAnswer& answer) const {
     PerformancePoint point;
     point.wind = wind;
     point.speed = speed;
-    point.pitch = angle;
+    point.pitch = angle.value_or(pitch_.stands);
     point.thrust = answer.thrust;
     point.torque = answer.torque;
     point.power = answer.torque * speed;
@@ -171,7 +228,8 @@ class Performance {
   const spatial::Model& model_;
   const PerformanceOptions& options_;
   Pitch pitch_;
-  RotorInWind rotor_;
+  RotorInWind rotor_, rigid_;
+  double off_rigid_ = 0.0;  ///< where the elastic rotor balances less where the rigid one does
   double radius_ = 0.0;
   std::optional<double> given_speed_;
 };
@@ -222,7 +280,8 @@ PerformanceResult solve_performance(const Scenario& scenario, const PerformanceO
   };
   if (!result.is_map) {
     for (const double wind : options.wind)
-      add([&] { return performance.find(wind); }, {.wind = wind});
+      add([&] { return performance.find(wind); },
+          {.wind = wind, .pitch = performance.first_pitch()});
     return result;
   }
   const double wind =
@@ -234,7 +293,7 @@ PerformanceResult solve_performance(const Scenario& scenario, const PerformanceO
     for (const std::optional<double>& angle : angles) {
       const double speed = ratio * wind / result.radius;
       add([&] { return performance.evaluate(wind, speed, angle); },
-          {.wind = wind, .speed = speed, .pitch = angle.value_or(0.0)});
+          {.wind = wind, .speed = speed, .pitch = angle.value_or(performance.standing_pitch())});
     }
   return result;
 }

@@ -194,6 +194,50 @@ TEST_CASE("the NREL 5 MW rotor has its published power and thrust, rigid and ela
   }
 }
 
+TEST_CASE("a governed rotor is found by itself in any wind, beyond that of shutdown too") {
+  constexpr double kDegree = std::numbers::pi / 180.0;
+  const Scenario scenario = read_scenario(SPOKE_MODELS_DIR "/nrel_5mw_in_wind.toml");
+  // Pitch as published to 25 m/s (NREL/TP-500-38060, table 7-1), of blades that do not twist under
+  // load; beyond, about where that leads. Each wind alone: no neighbour leads there.
+  struct Published {
+    double wind, pitch;
+  };
+  for (const Published& state : {Published{20.0, 17.47}, {25.0, 23.47}, {32.0, 30.0}})
+    for (const bool is_rigid : {true, false}) {
+      CAPTURE(state.wind);
+      CAPTURE(is_rigid);
+      const PerformanceResult result =
+          solve_performance(scenario, {.wind = {state.wind}, .is_rigid = is_rigid});
+      const PerformancePoint& point = result.points.at(0);
+      CHECK(point.gap == "");
+      CHECK(point.speed == approx(1.267109));
+      CHECK(0.944e-3 * point.power == approx(5000.0).epsilon(0.001));
+      const double tolerance = state.wind > 25.0 ? 0.1 : is_rigid ? 0.02 : 0.08;
+      CHECK(-point.pitch / kDegree == approx(state.pitch).epsilon(tolerance));
+    }
+}
+
+TEST_CASE("pitch is what the joints stand at") {
+  const std::string air = "[air]\n[wind]\nvelocity = [0.0, 0.0, 8.0]\n";
+  std::string joint = kPitchJoint;
+  joint.replace(joint.find("constant = 0.0"), 14, "constant = -0.0838");
+  const Scenario held = parse_scenario(make_rotor(joint, air), "rotor.toml");
+  CHECK(solve_performance(held, {.wind = {8.0}}).points.at(0).pitch == -0.0838);
+  CHECK(solve_performance(held, {.tip_speed_ratio = {6.0}}).points.at(0).pitch == -0.0838);
+  CHECK(solve_performance(held, {.wind = {8.0}, .pitch = {0.1}}).points.at(0).pitch == 0.1);
+  // A controller's angle is added to the joint's own.
+  Scenario governed = read_scenario(SPOKE_MODELS_DIR "/nrel_5mw_in_wind.toml");
+  const PerformanceOptions options{.wind = {8.0, 15.0}, .is_rigid = true};
+  const PerformanceResult plain = solve_performance(governed, options);
+  for (spatial::Blade& blade : governed.space->blades)
+    for (spatial::BladeJoint& own : blade.joints)
+      own.joint.coordinates[0].motion = spatial::MotionTable{Curve(-0.05)};
+  const PerformanceResult turned = solve_performance(governed, options);
+  CHECK(plain.points.at(0).pitch == 0.0);
+  CHECK(turned.points.at(0).pitch == -0.05);
+  CHECK(turned.points.at(1).pitch == approx(plain.points.at(1).pitch).epsilon(1e-5));
+}
+
 namespace {
 
 /// Returns C_T of an untwisted rotor in hover by blade-element momentum theory, by the speed of the
