@@ -15,6 +15,7 @@
 #include "models/air/wind_field.h"
 #include "models/air/wind_kept.h"
 #include "models/count_text.h"
+#include "models/tree/hub_place.h"
 #include "program/cli/report.h"
 
 namespace spoke::cli {
@@ -46,15 +47,19 @@ std::string describe(const air::WindBox& box) {
                      box.is_periodic ? ", repeats" : "");
 }
 
-/// Describes the mean wind: "12 m/s along [1, 0, 0] at 90 m above the ground at -90 m, shear
-/// exponent 0.2".
-std::string describe_mean(const Wind& wind) {
+/// Describes the mean wind at its reference height, or at the hub: "12 m/s along [1, 0, 0] at 90 m
+/// above the ground at -90 m, shear exponent 0.2".
+std::string describe_mean(const Wind& wind, const Eigen::Vector3d& hub) {
   const air::WindAxes axes(wind);
-  const double height = wind.reference_height.value_or(0.0);
-  const Eigen::Vector3d mean = make_wind(wind)->mean(axes.place(0.0, height));
+  const double height = wind.reference_height.value_or(axes.height(hub));
+  const Eigen::Vector3d mean =
+      make_wind(wind)->mean(wind.reference_height ? axes.place(0.0, height) : hub);
   std::string text = fmt::format("{} m/s", short_number(mean.norm()));
   if (mean.norm() > 0.0) text += " along " + vector_text(mean.normalized());
-  if (wind.reference_height) text += fmt::format(" at {} m", short_number(height));
+  if (wind.reference_height)
+    text += fmt::format(" at {} m", short_number(height));
+  else if (!wind.file.empty())
+    text += fmt::format(" at the hub, {} m", short_number(height));
   if (wind.ground != 0.0)
     text += fmt::format(" above the ground at {} m", short_number(wind.ground));
   if (wind.shear_exponent != 0.0) text += ", shear exponent " + short_number(wind.shear_exponent);
@@ -68,9 +73,9 @@ std::string describe_course(const Curve& speed) {
                      short_number(speed.times().back()));
 }
 
-std::vector<std::string> describe(const Wind& wind) {
+std::vector<std::string> describe(const Wind& wind, const Eigen::Vector3d& hub) {
   if (wind.by_program || wind.field) return {"by the program"};
-  std::vector<std::string> lines{describe_mean(wind)};
+  std::vector<std::string> lines{describe_mean(wind, hub)};
   if (wind.speed) lines.push_back(describe_course(*wind.speed));
   if (!wind.file.empty()) {
     const auto box = air::find_wind(wind)->box();
@@ -138,7 +143,7 @@ void print_texts(const std::string& label, const std::vector<std::string>& lines
 
 void print_air(const spatial::Model& model) {
   print_line("air", describe(*model.air));
-  print_texts("wind", describe(model.air->wind));
+  print_texts("wind", describe(model.air->wind, spatial::find_hub_place(model)));
   std::vector<std::string> before;
   for (std::size_t i = 0; i < model.blades.size(); ++i) {
     if (!model.blades[i].aerodynamics) continue;

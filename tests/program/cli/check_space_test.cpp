@@ -108,6 +108,54 @@ TEST_CASE("check prints what a file of wind holds") {
                      "repeats\n") != std::string::npos);
 }
 
+TEST_CASE("check prints the mean wind of a file at the hub, however high the ground is") {
+  const WorkFolder folder;
+  // 8 m/s at 90 m, with shear, over a ground 90 m below the hub, which is at the origin.
+  const std::string scenario = R"(world = "space"
+[hub]
+axis = [1, 0, 0]
+[hub.drive]
+kind = "fixed"
+[air]
+[wind]
+velocity = [8.0, 0, 0]
+shear_exponent = 0.2
+reference_height = 90.0
+ground = -90.0
+turbulence = { intensity = 0.1, width = 100.0, points = 5, duration = 60.0 }
+[blade]
+count = 1
+length = 20.0
+[blade.sections]
+mass_per_length = 100.0
+axial_stiffness = 1e12
+flap_stiffness = 1e12
+lag_stiffness = 1e12
+torsion_stiffness = 1e12
+[blade.aerodynamics]
+station = [0.0, 20.0]
+chord = 1.0
+airfoil = "round"
+[[airfoil]]
+name = "round"
+angle = [-3.141592653589793, 0, 3.141592653589793]
+lift = [0, 0, 0]
+drag = [1, 1, 1]
+[integration]
+duration = 10.0
+)";
+  folder.write("written.toml", scenario);
+  REQUIRE(run_spoke({"wind", "written.toml", "--out", "w.bts"}, folder).status == 0);
+  const Ended read = run_spoke(
+      {"check", "written.toml", "--set", "wind={ file = \"w.bts\", ground = -90.0 }"}, folder);
+  CAPTURE(read.err);
+  CAPTURE(read.out);
+  const std::size_t at = read.out.find("  wind            ");
+  REQUIRE(at != std::string::npos);
+  CHECK(std::stod(read.out.substr(at + 18)) == doctest::Approx(8.0).epsilon(1e-3));
+  CHECK(read.out.find(" at the hub, 90 m above the ground at -90 m\n", at) != std::string::npos);
+}
+
 TEST_CASE("check tells at which speed rk4's limit is, and leaves out large trees") {
   const WorkFolder folder;
   const Ended turning = run_spoke({"check", shipped("heavy_top"), "--set",
