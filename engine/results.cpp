@@ -56,7 +56,10 @@ Json describe_series(const Simulation& simulation, const RunStatistics& rows,
                {"standard_deviation", series.values.deviation()},
                {"min", series.values.min()},
                {"max", series.values.max()}};
-  if (series.ranges) json.set("damage_equivalent_range", rows.equivalent_range(series));
+  if (series.ranges) {
+    json.set("damage_equivalent_range", rows.equivalent_range(series));
+    json.set("wohler_exponent", series.exponent);
+  }
   return json;
 }
 
@@ -70,7 +73,7 @@ Json describe_rows(const Simulation& simulation, const RunStatistics& rows) {
           {"rows", rows.rows()},
           {"first_row_s", rows.first_time()},
           {"last_row_s", rows.last_time()},
-          {"wohler_exponent", RunStatistics::kExponent},
+          {"wohler_exponent", find_wohler_exponent(simulation.scenario(), "blade")},
           {"equivalent_frequency_hz", RunStatistics::kFrequency},
           {"sensors", sensors}};
 }

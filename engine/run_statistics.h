@@ -3,6 +3,7 @@
 // Statistics of a run for summary.json: mean, deviation and extremes of what a turbine is judged
 // by, and damage-equivalent ranges of root moments, over the output rows.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -38,19 +39,27 @@ class SPOKE_EXPORT SeriesStatistics {
   double max_ = -std::numeric_limits<double>::infinity();
 };
 
-/// Statistics of one sensor. Values that are not finite do not count.
+/// Statistics of one sensor. Values that are not finite do not count. Root moments of blades in
+/// space, whose sensors are in the hub's frame, are taken about the axes of the blade's own root: x
+/// along the blade, y flapwise, z edgewise.
 struct SensorSeries {
   std::size_t sensor = 0;  ///< its place in Simulation::sensor_names()
   SeriesStatistics values{};
   std::optional<EquivalentRange> ranges{};  ///< of root moments alone
+  double exponent = 0.0;                    ///< of Woehler's curve, of these
+  /// The axis of a moment in the hub's frame whose three sensors begin at `first`; none: the sensor
+  /// as it is.
+  std::optional<std::array<double, 3>> axis{};
+  std::size_t first = 0;
+
+  /// Returns its value in a row.
+  double value(std::span<const double> row) const;
 };
 
 /// Collects statistics of a run's rows: of the sensors "air.power", "air.thrust", "hub.speed" and
 /// "control.pitch.angle", as far as there are such, and of all root moments.
 class SPOKE_EXPORT RunStatistics {
  public:
-  /// Exponent of Woehler's curve, as is usual for blades of composite.
-  static constexpr double kExponent = 10.0;
   /// Frequency of the cycles of damage-equivalent ranges [Hz].
   static constexpr double kFrequency = 1.0;
 

@@ -3,6 +3,7 @@
 // A scenario file: the rotor or the model in space, how it is integrated and what is written. The
 // file format (TOML, SI units) is documented in docs/scenario.md.
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -87,6 +88,14 @@ struct Output {
   double interval = 0.05;  ///< time between rows of sensors.csv [s]; 0: every step
 };
 
+/// How statistics of a run are made.
+struct Statistics {
+  /// Exponents of Woehler's curves by name: of a blade or another subsystem ("blade1", "support"),
+  /// or "blades", which holds for those that have no name here. What has none is as
+  /// find_wohler_exponent() says.
+  std::map<std::string, double> exponents{};
+};
+
 /// One "key=value" of the command line, overriding a key of the file.
 using Overrides = std::vector<std::string>;
 
@@ -99,6 +108,7 @@ struct SPOKE_EXPORT Scenario {
   Integration integration;  ///< how the motion is integrated, and for how long
   Limits limits;            ///< limits beyond which results are doubtful
   Output output;            ///< the results that spoke run writes
+  Statistics statistics;    ///< how their statistics are made
   /// Sensors besides those that every simulation has.
   std::vector<Sensor> sensors;
   /// The model in space, if the simulation is one in space; `rotor` then has no blades.
@@ -109,6 +119,12 @@ struct SPOKE_EXPORT Scenario {
   /// the file; blades are always one by one, under "blades".
   std::string to_json() const;
 };
+
+/// Returns the exponent of Woehler's curve by which root moments of a blade or another subsystem
+/// make a damage-equivalent range: that of the scenario, else 10 of blades and of what is on the
+/// hub, as is usual for composites, and 4 of a support, as for welded steel. `name`: as of sensors,
+/// "blade1".
+SPOKE_EXPORT double find_wohler_exponent(const Scenario& scenario, const std::string& name);
 
 /// Returns whether a blade or a subsystem has a closed loop.
 SPOKE_EXPORT bool has_loops(const Scenario& scenario);

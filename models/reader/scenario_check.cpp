@@ -15,6 +15,7 @@
 #include "models/reader/spatial/model_check.h"
 #include "models/reader/spatial/sensor_reader.h"
 #include "models/reader/spatial/wind_reader.h"
+#include "models/reader/statistics_reader.h"
 #include "models/start.h"
 #include "spoke/error.h"
 
@@ -271,6 +272,7 @@ void check_scenario(const Scenario& scenario) {
   if (const spatial::Fault end = spatial::find_end_fault(scenario)) fail(end.path, end.text);
   check_fields("limits", scenario.limits);
   check_fields("output", scenario.output);
+  check_statistics(scenario);
   if (scenario.space)
     spatial::check_sensors(scenario.sensors, *scenario.space);
   else

@@ -218,6 +218,12 @@ Json scenario_to_json(const Scenario& scenario) {
   json.set("integration", integration_to_json(scenario));
   json.set("limits", to_json(scenario.limits));
   json.set("output", {{"interval", scenario.output.interval}});
+  if (!scenario.statistics.exponents.empty()) {  // for the reason of add_ramp()
+    Json exponents = Json::object();
+    for (const auto& [name, exponent] : scenario.statistics.exponents)
+      exponents.set(name, exponent);
+    json.set("statistics", {{"exponents", exponents}});
+  }
   if (!scenario.space || !scenario.sensors.empty()) json.set("sensor", to_list(scenario.sensors));
   return json;
 }

@@ -9,6 +9,7 @@
 #include "models/reader/spatial/model_reader.h"
 #include "models/reader/spatial/sensor_reader.h"
 #include "models/reader/spatial/wind_reader.h"
+#include "models/reader/statistics_reader.h"
 #include "models/reader/toml_document.h"
 #include "models/scenario.h"
 #include "models/start.h"
@@ -131,7 +132,8 @@ Scenario parse_scenario(const std::string& text, const std::string& name,
       document, {"title",     "world",    "hub",     "anchor",  "blade",        "blades",
                  "subsystem", "support",  "gravity", "damping", "load",         "distributed_load",
                  "drag",      "hub_load", "control", "initial", "integration",  "limits",
-                 "output",    "sensor",   "air",     "wind",    "aerodynamics", "airfoil"});
+                 "output",    "sensor",   "air",     "wind",    "aerodynamics", "airfoil",
+                 "statistics"});
   Scenario scenario;
   scenario.name = name_of_file(name);
   scenario.title = root.text("title", scenario.name);
@@ -142,6 +144,7 @@ Scenario parse_scenario(const std::string& text, const std::string& name,
     root.fail_at(fault.path, fault.text);
   scenario.limits = read_limits(root);
   visit_fields(scenario.output, FieldReader{root.section("output", {"interval"})});
+  scenario.statistics = read_statistics(root, scenario);
   scenario.sensors = scenario.space ? spatial::read_sensors(root, *scenario.space)
                                     : read_sensors(root, scenario.rotor.blades);
   return scenario;

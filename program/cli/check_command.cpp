@@ -87,6 +87,14 @@ void print_start(const Scenario& scenario) {
                                    start_speed(scenario)));
 }
 
+/// Prints the exponents that the scenario gives.
+void print_statistics(const Statistics& statistics) {
+  std::string text;
+  for (const auto& [name, exponent] : statistics.exponents)
+    text += fmt::format("{}{:.6g} of {}", text.empty() ? "exponents " : ", ", exponent, name);
+  if (!text.empty()) print_line("statistics", text);
+}
+
 /// Throws InputError if the page would replace a folder or the scenario.
 void require_place(const Arguments& arguments) {
   if (arguments.html.empty()) return;
@@ -123,6 +131,7 @@ int check(const Arguments& arguments) {
   const Limits limits = find_limits(simulation);
   print_properties(simulation, limits);
   print_start(scenario);
+  print_statistics(scenario.statistics);
   draw(arguments, simulation);
   warn_of_rk4(arguments, simulation, limits.properties.rk4_largest_step);
   return 0;

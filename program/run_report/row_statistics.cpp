@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "models/count_text.h"
 #include "program/report/markup.h"
@@ -24,15 +26,24 @@ std::string describe_rows(const RunStatistics& rows) {
                      number(rows.first_time()), number(rows.last_time()));
 }
 
+/// Returns "exponent 10", or that there are several.
+std::string describe_exponents(const std::vector<SensorSeries>& series) {
+  std::set<double> exponents;
+  for (const SensorSeries& one : series)
+    if (one.ranges) exponents.insert(one.exponent);
+  return exponents.size() == 1 ? fmt::format("exponent {:g}", *exponents.begin())
+                               : "the exponent in the last column";
+}
+
 std::string describe(const RunStatistics& rows) {
   std::string text = "Over " + describe_rows(rows) + ".";
   const auto& series = rows.series();
   if (std::any_of(series.begin(), series.end(), [](const auto& s) { return s.ranges.has_value(); }))
     text += fmt::format(
         " The damage-equivalent range is that of a sine of {:g} Hz which does the same damage in "
-        "that "
-        "time, by rainflow counting and exponent {:g}.",
-        RunStatistics::kFrequency, RunStatistics::kExponent);
+        "that time, by rainflow counting and {}. Root moments of blades are about the axes of "
+        "their own roots.",
+        RunStatistics::kFrequency, describe_exponents(series));
   return text;
 }
 
@@ -61,7 +72,8 @@ report::Table make_statistics_table(const Simulation& simulation, const RunStati
                        {"standard deviation", Align::number},
                        {"lowest", Align::number},
                        {"highest", Align::number},
-                       {"damage-equivalent range", Align::number}},
+                       {"damage-equivalent range", Align::number},
+                       {"exponent", Align::number}},
                       {}};
   for (const SensorSeries& series : rows.series()) {
     if (series.values.count() == 0) continue;
@@ -70,7 +82,8 @@ report::Table make_statistics_table(const Simulation& simulation, const RunStati
         {{simulation.sensor_names()[series.sensor], simulation.sensor_units()[series.sensor],
           number(series.values.mean()), number(series.values.deviation()),
           number(series.values.min()), number(series.values.max()),
-          std::isfinite(range) ? number(range) : std::string()}});
+          std::isfinite(range) ? number(range) : std::string(),
+          series.ranges ? number(series.exponent) : std::string()}});
   }
   return table;
 }

@@ -145,3 +145,86 @@ TEST_CASE("statistics without a row are null") {
   for (const char* value : {"mean", "standard_deviation", "min", "max", "damage_equivalent_range"})
     CHECK(block["sensors"]["blade1.root.moment"][value].is_null());
 }
+
+TEST_CASE("moments of each blade are about its own root, with the exponent of its material") {
+  constexpr const char* scenario = R"(
+world = "space"
+[hub]
+radius = 1.0
+[hub.drive]
+kind = "constant"
+speed = 1.0
+[blade]
+count = 3
+length = 8.0
+precone = 0.2
+bodies = 1
+elements = 1
+[blade.sections]
+mass_per_length = 2.0
+axial_stiffness = 2e7
+flap_stiffness = 2e5
+lag_stiffness = 2e5
+torsion_stiffness = 2e5
+[support]
+from = "ground"
+[[support.body]]
+name = "nacelle"
+kind = "rigid"
+mass = 100.0
+inertia = 50.0
+[[support.joint]]
+child = "nacelle"
+kind = "revolute"
+axis = [0, 1, 0]
+stiffness = 1e6
+[support.axle]
+body = "nacelle"
+[statistics]
+exponents = { blade3 = 12 }
+[integration]
+step = 0.01
+duration = 0.1
+)";
+  const Simulation simulation(parse_scenario(scenario, "three.toml"),
+                              {.executor = ExecutorKind::serial});
+  RunStatistics rows(simulation, 0.0);
+  // Flapwise every blade has a sine's turning points of +-4, edgewise of +-1, the support +-4.
+  std::vector<double> values(simulation.sensor_names().size(), 0.0);
+  const auto set_moment = [&](const std::string& name, double x, double y, double z) {
+    values[simulation.sensor_index(name + ".root.moment.x")] = x;
+    values[simulation.sensor_index(name + ".root.moment.y")] = y;
+    values[simulation.sensor_index(name + ".root.moment.z")] = z;
+  };
+  for (int k = 0; k <= 10; ++k) {
+    const double sign = k % 2 ? 1.0 : -1.0, flap = 4.0 * sign, edge = sign;
+    for (int blade = 0; blade < 3; ++blade) {
+      const double azimuth = 2.0 * std::numbers::pi * blade / 3, c = std::cos(azimuth),
+                   s = std::sin(azimuth), up = std::sin(0.2), out = std::cos(0.2);
+      // Flapwise about the horizontal across the blade, edgewise about what is normal to both.
+      set_moment("blade" + std::to_string(blade + 1), -flap * s - edge * up * c,
+                 flap * c - edge * up * s, edge * out);
+    }
+    set_moment("support", flap, 0.0, 0.0);
+    rows.add_row(0.1 * k, values);
+  }
+  const auto range_of = [&](const std::string& name) {
+    for (const SensorSeries& series : rows.series())
+      if (simulation.sensor_names()[series.sensor] == name) return rows.equivalent_range(series);
+    return -1.0;
+  };
+  // Ten half cycles in 1 s.
+  for (const char* blade : {"blade1", "blade2"}) {
+    CHECK(range_of(blade + std::string(".root.moment.y")) == approx(8.0 * std::pow(5.0, 0.1)));
+    CHECK(range_of(blade + std::string(".root.moment.z")) == approx(2.0 * std::pow(5.0, 0.1)));
+    CHECK(range_of(blade + std::string(".root.moment.x")) < 1e-12);
+  }
+  CHECK(range_of("blade3.root.moment.y") == approx(8.0 * std::pow(5.0, 1.0 / 12.0)));
+  CHECK(range_of("support.root.moment.x") == approx(8.0 * std::pow(5.0, 0.25)));
+  const SensorStatistics extremes(simulation.sensor_names().size());
+  const auto block =
+      nlohmann::json::parse(make_summary(simulation, extremes, {}, rows))["statistics"];
+  CHECK(block["wohler_exponent"] == 10.0);
+  CHECK(block["sensors"]["blade3.root.moment.y"]["wohler_exponent"] == 12.0);
+  CHECK(block["sensors"]["support.root.moment.x"]["wohler_exponent"] == 4.0);
+}
