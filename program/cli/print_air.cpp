@@ -30,6 +30,13 @@ std::string vector_text(const Eigen::Vector3d& v) {
   return fmt::format("[{}, {}, {}]", short_number(v.x()), short_number(v.y()), short_number(v.z()));
 }
 
+/// Returns the direction of a vector; of files' wind, small numbers are rounding.
+std::string direction_text(const Eigen::Vector3d& v) {
+  constexpr double least = 1e-6;
+  const Eigen::Vector3d direction = v.normalized();
+  return vector_text((direction.array().abs() < least).select(0.0, direction));
+}
+
 std::string describe(const spatial::Air& air) {
   const std::string factor =
       air.inflow_factor != 1.0 ? " times " + short_number(air.inflow_factor) : "";
@@ -55,7 +62,7 @@ std::string describe_mean(const Wind& wind, const Eigen::Vector3d& hub) {
   const Eigen::Vector3d mean =
       make_wind(wind)->mean(wind.reference_height ? axes.place(0.0, height) : hub);
   std::string text = fmt::format("{} m/s", short_number(mean.norm()));
-  if (mean.norm() > 0.0) text += " along " + vector_text(mean.normalized());
+  if (mean.norm() > 0.0) text += " along " + direction_text(mean);
   if (wind.reference_height)
     text += fmt::format(" at {} m", short_number(height));
   else if (!wind.file.empty())
