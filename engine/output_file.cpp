@@ -11,11 +11,13 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <deque>
 #include <filesystem>
 #include <string>
 #include <utility>
 
 #include "models/error.h"
+#include "models/file_watch.h"
 
 namespace spoke {
 namespace {
@@ -67,6 +69,7 @@ static_assert(std::atomic<const char*>::is_always_lock_free);
 }  // namespace
 
 OutputFile::OutputFile(std::string file, Start start) : file_(std::move(file)) {
+  if (start == Start::empty) announce_replacing(file_);
   const int flags = start == Start::empty ? O_CREAT | O_TRUNC : O_APPEND;
   descriptor_ =
       without_interruption([&] { return open(file_.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666); });
@@ -143,6 +146,7 @@ void ReplacedFile::name_the_file(const Work& work) const {
 
 ReplacedFile::ReplacedFile(std::string file)
     : file_(std::move(file)), temporary_(is_device(file_) ? file_ : file_ + ".tmp") {
+  announce_replacing(file_);
   if (temporary_ != file_) unfinished_.emplace(temporary_);
   name_the_file([&] { output_ = std::make_unique<OutputFile>(temporary_); });
 }
@@ -170,6 +174,12 @@ void replace_file(const std::string& file, std::string_view bytes, Outlives outl
   ReplacedFile replaced(file);
   replaced.append(bytes);
   replaced.commit(outlives);
+}
+
+void replace_files(const std::vector<FileText>& files, Outlives outlives) {
+  std::deque<ReplacedFile> replaced;
+  for (const FileText& file : files) replaced.emplace_back(file.file).append(file.text);
+  for (ReplacedFile& file : replaced) file.commit(outlives);
 }
 
 }  // namespace spoke

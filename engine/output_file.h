@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "spoke/export.h"
 
@@ -102,5 +103,14 @@ class SPOKE_EXPORT ReplacedFile {
 /// Replaces a file as a whole by these bytes, see ReplacedFile.
 SPOKE_EXPORT void replace_file(const std::string& file, std::string_view bytes,
                                Outlives outlives = Outlives::machine);
+
+/// The name of a file, and what is to stand in it.
+struct FileText {
+  std::string file, text;
+};
+/// Replaces files that belong together: all of them lie beside their places before the first takes
+/// its own, so that none is replaced if one of them cannot be written.
+SPOKE_EXPORT void replace_files(const std::vector<FileText>& files,
+                                Outlives outlives = Outlives::machine);
 
 }  // namespace spoke

@@ -9,6 +9,7 @@
 #include <istream>
 
 #include "models/error.h"
+#include "models/file_watch.h"
 
 namespace spoke {
 namespace {
@@ -36,6 +37,7 @@ std::string read_text(const std::filesystem::path& file, const std::string& kind
   if (status.type() == std::filesystem::file_type::not_found) refuse("no such file");
   if (error) refuse(error.message());
   if (std::filesystem::is_directory(status)) refuse("is a directory");
+  announce_reading(file);
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) refuse(std::strerror(errno));

@@ -152,15 +152,23 @@ std::string make_planar_vtk(const Simulation& simulation, Shapes& shapes) {
   return file.take();
 }
 
+std::vector<std::string> find_vtk_series(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) return names;
+  fs::directory_iterator entry(folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error))
+    if (std::string name = entry->path().filename().string(); is_of_series(name))
+      names.push_back(std::move(name));
+  if (error) refuse(folder, error);
+  return names;
+}
+
 void remove_vtk_series(const fs::path& folder) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) return;
-  std::vector<fs::path> files;
-  fs::directory_iterator entry(folder, error);
-  for (; !error && entry != fs::directory_iterator(); entry.increment(error))
-    if (is_of_series(entry->path().filename().string())) files.push_back(entry->path());
-  for (const fs::path& file : files)
-    if (!error) fs::remove(file, error);
+  for (const std::string& name : find_vtk_series(folder))
+    if (!error) fs::remove(folder / name, error);
   if (error) refuse(folder, error);
   if (fs::is_empty(folder, error)) fs::remove(folder, error);
 }

@@ -36,7 +36,10 @@ class VtkSeries {
   std::optional<SolidVtk> solids_;     ///< only for one that has solids
 };
 
-/// Removes the files of a series, and the folder if nothing else is in it. Throws InputError if
+/// Returns the names of the files in a folder that are named as those of a series.
+std::vector<std::string> find_vtk_series(const std::filesystem::path& folder);
+
+/// Removes these files of a series, and the folder if nothing else is in it. Throws InputError if
 /// that cannot be done.
 void remove_vtk_series(const std::filesystem::path& folder);
 

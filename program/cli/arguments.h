@@ -19,10 +19,11 @@ namespace spoke::cli {
 struct Arguments {
   std::string scenario;  ///< scenario file
   Overrides overrides;
-  std::string out;     ///< folder of the results; empty: named after the scenario
-  std::string resume;  ///< run: checkpoint to resume from; empty: start at t = 0
-  std::string html;    ///< check: file for the model's page; empty: none
-  bool anew = false;   ///< reduce: makes all anew
+  std::string out;                    ///< folder of the results; empty: named after the scenario
+  std::string resume;                 ///< run: checkpoint to resume from; empty: start at t = 0
+  std::string html;                   ///< check: file for the model's page; empty: none
+  bool replaces_other_kinds = false;  ///< --force of commands that write files
+  bool anew = false;                  ///< reduce: makes all anew
   std::optional<double> checkpoint_every;  ///< run: wall time between checkpoints [s]
   std::optional<double> statistics_from;   ///< run: first row of the statistics [s]
   std::optional<IntegrationMethod> integrator;

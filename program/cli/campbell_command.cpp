@@ -45,7 +45,7 @@ void warn(const CampbellResult& result) {
 }  // namespace
 
 int find_campbell(const Arguments& arguments) {
-  const SteadyTask task(arguments, "campbell");
+  const SteadyTask task(arguments, "campbell", {"campbell.csv", "campbell.json", "campbell.html"});
   const CampbellOptions options{.speeds = arguments.steady.speeds,
                                 .count = arguments.steady.count,
                                 .most = 10,

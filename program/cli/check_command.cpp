@@ -3,11 +3,9 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <numbers>
 #include <string>
-#include <system_error>
 
 #include "engine/results.h"
 #include "engine/vibration/frequency_limits.h"
@@ -16,11 +14,11 @@
 #include "models/start.h"
 #include "program/cli/build_simulation.h"
 #include "program/cli/commands.h"
+#include "program/cli/file_guard.h"
 #include "program/cli/print_air.h"
 #include "program/cli/print_loops.h"
 #include "program/cli/print_space.h"
 #include "program/cli/report.h"
-#include "program/cli/results_folder.h"
 #include "program/cli/standard_streams.h"
 #include "program/run_report/model_page.h"
 
@@ -95,15 +93,6 @@ void print_statistics(const Statistics& statistics) {
   if (!text.empty()) print_line("statistics", text);
 }
 
-/// Throws InputError if the page would replace a folder or the scenario.
-void require_place(const Arguments& arguments) {
-  if (arguments.html.empty()) return;
-  require_no_folder(arguments.html);
-  std::error_code none;
-  if (std::filesystem::equivalent(arguments.html, arguments.scenario, none))
-    throw InputError("spoke check: --html: " + arguments.html + " is the scenario itself");
-}
-
 /// Writes the page of the model, if one is asked for.
 void draw(const Arguments& arguments, const Simulation& simulation) {
   if (arguments.html.empty()) return;
@@ -117,7 +106,7 @@ int check(const Arguments& arguments) {
   SimulationOptions options = arguments.options;
   options.executor = ExecutorKind::serial;
   const Scenario scenario = read_scenario(arguments.scenario, arguments.overrides);
-  require_place(arguments);
+  if (!arguments.html.empty()) require_place(arguments.html, kPage);
   warn_of_oddities(arguments.scenario, scenario);
   const Simulation simulation = build_simulation(arguments.scenario, scenario, options);
   if (scenario.space) {

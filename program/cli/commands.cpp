@@ -79,6 +79,7 @@ void add_check(CLI::App& check, Arguments& arguments) {
   add_common(check, arguments);
   add_path(check, "--html", arguments.html,
            "Draw the model in this page: bodies, sections, joints, axes, loads", "FILE");
+  add_force(check, arguments);
   check.footer(std::string(kCheckText) + '\n' + kStatusText);
 }
 
@@ -141,6 +142,7 @@ void add_wind(CLI::App& command, Arguments& arguments) {
   add_common(command, arguments);
   add_path(command, "--out", arguments.out, "File to write (default: <name of the scenario>.bts)",
            "FILE");
+  add_force(command, arguments);
   command.footer(std::string(kWindText) + '\n' + kStatusText);
 }
 

@@ -26,7 +26,7 @@ void print(const CriticalResult& result, const CriticalOptions& options, const S
 }  // namespace
 
 int find_critical(const Arguments& arguments) {
-  const SteadyTask task(arguments, "critical");
+  const SteadyTask task(arguments, "critical", {"critical.csv", "critical.json", "critical.html"});
   const SteadyArguments& asked = arguments.steady;
   const CriticalOptions options{.of = asked.of,
                                 .from = asked.from,

@@ -37,6 +37,7 @@ void add_options(CLI::App& command, Arguments& arguments, ExportArguments& own) 
   cli::add_common(command, arguments);
   cli::add_path(command, "--out", arguments.out, "The primary file to write", "FILE");
   command.get_option("--out")->required();
+  cli::add_force(command, arguments);
   command.add_option("--blade", own.blade, "Number of the blade [1]")
       ->check(CLI::Range(1, 100000))
       ->type_name("N");

@@ -10,8 +10,8 @@
 #include "models/count_text.h"
 #include "models/error.h"
 #include "program/cli/build_simulation.h"
+#include "program/cli/file_guard.h"
 #include "program/cli/report.h"
-#include "program/cli/results_folder.h"
 #include "program/fmu/make_fmu.h"
 
 namespace spoke::cli {
@@ -59,8 +59,8 @@ int make_fmu(const Arguments& arguments, const FmuArguments& own) {
   fmu::FmuRequest request{arguments.scenario,          arguments.overrides, name_of(arguments.out),
                           fmu::find_library(),         own.inputs,          own.outputs,
                           fmu::FmiVersion{own.version}};
-  require_no_folder(arguments.out);
   const Scenario scenario = read_scenario(arguments.scenario, arguments.overrides);
+  require_place(arguments.out, kFmuFile);
   warn_of_oddities(arguments.scenario, scenario);
   SimulationOptions options;
   options.executor = ExecutorKind::serial;

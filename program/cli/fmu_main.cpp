@@ -48,6 +48,7 @@ void add_options(CLI::App& command, Arguments& arguments, FmuArguments& own) {
   cli::add_common(command, arguments);
   cli::add_path(command, "--out", arguments.out, "The FMU to write, NAME.fmu", "FILE");
   command.get_option("--out")->required();
+  cli::add_force(command, arguments);
   command.add_option("--input", own.inputs, "Inputs that it has; none: no inputs [all]")
       ->type_name("NAME...");
   command.add_option("--output", own.outputs, "Outputs that it has [all columns of sensors.csv]")

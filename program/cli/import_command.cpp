@@ -4,12 +4,12 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include <deque>
 #include <filesystem>
 
 #include "engine/output_file.h"
 #include "models/error.h"
 #include "models/text_file.h"
+#include "program/cli/file_guard.h"
 #include "program/cli/report.h"
 #include "program/foreign/import_files.h"
 
@@ -71,14 +71,17 @@ class NewFolder {
 void write_files(const std::string& out, const foreign::Imported& imported,
                  const std::string& tables) {
   const fs::path folder = fs::path(out).parent_path();
+  require_place(out, kImportedScenario);
+  for (const foreign::SourceFile& table : imported.tables)
+    require_place(folder / table.name, kImportedPolar);
   std::optional<NewFolder> made;
   if (!imported.tables.empty()) made.emplace(folder / tables);
-  std::deque<ReplacedFile> files;
+  std::vector<FileText> files;
   for (const foreign::SourceFile& table : imported.tables)
-    files.emplace_back((folder / table.name).string()).append(table.text);
-  files.emplace_back(out).append(imported.text);
+    files.push_back({(folder / table.name).string(), table.text});
+  files.push_back({out, imported.text});
+  replace_files(files, Outlives::process);
   if (made) made->keep();
-  for (ReplacedFile& file : files) file.commit(Outlives::process);
 }
 
 }  // namespace

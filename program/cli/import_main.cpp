@@ -57,6 +57,7 @@ void add_options(CLI::App& command, Arguments& arguments, ImportArguments& own) 
   command.add_option("FILE", own.files, "Files of other programs")->required()->type_name("");
   cli::add_path(command, "--out", arguments.out, "The scenario to write (TOML)", "FILE");
   command.get_option("--out")->required();
+  cli::add_force(command, arguments);
   add_length(command, "--length", own.length,
              "Length of an ElastoDyn blade, whose file does not say it");
   add_length(command, "--height", own.height, "Height of an ElastoDyn tower, likewise");

@@ -28,7 +28,7 @@ void print(const LinearSystem& system, const SteadyTask& task) {
 }  // namespace
 
 int linearize(const Arguments& arguments) {
-  const SteadyTask task(arguments, "linear");
+  const SteadyTask task(arguments, "linear", {"A.mtx", "B.mtx", "C.mtx", "D.mtx", "linear.json"});
   const LinearSystem system = task.solve([&](const Scenario& scenario) {
     return solve_linear_system(scenario, {arguments.steady.speed}, arguments.steady.frame);
   });

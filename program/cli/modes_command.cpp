@@ -24,7 +24,7 @@ void print(const ModesResult& result, const SteadyTask& task) {
 }  // namespace
 
 int find_modes(const Arguments& arguments) {
-  const SteadyTask task(arguments, "modes");
+  const SteadyTask task(arguments, "modes", {"modes.json", "modes.csv", "modes.html"});
   const ModesResult result = task.solve([&](const Scenario& scenario) {
     return solve_modes(scenario,
                        {{arguments.steady.speed}, arguments.steady.count, arguments.steady.frame});

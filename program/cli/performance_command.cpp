@@ -22,7 +22,8 @@ PerformanceResult solve(PerformanceOptions options, const SteadyTask& task) {
 }  // namespace
 
 int find_performance(const Arguments& arguments) {
-  const SteadyTask task(arguments, "performance");
+  const SteadyTask task(arguments, "performance",
+                        {"performance.csv", "performance.json", "performance.html"});
   const PerformanceArguments& asked = arguments.performance;
   const PerformanceResult result = solve({.wind = asked.wind,
                                           .tip_speed_ratio = asked.tip_speed_ratio,

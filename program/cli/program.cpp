@@ -23,6 +23,7 @@
 #include "models/error.h"
 #include "models/reader/key_place.h"
 #include "program/cli/choose_instructions.h"
+#include "program/cli/file_guard.h"
 #include "program/cli/help_texts.h"
 #include "program/cli/interruption.h"
 #include "program/cli/report.h"
@@ -152,6 +153,7 @@ int execute(const Command& command, const Arguments& arguments, char** argv) {
   };
   choose_instructions(arguments.instructions, before, argv);
   start_logging(arguments);
+  if (arguments.replaces_other_kinds) let_replace_other_kinds();
   // Variables that bind OpenMP's threads (such as OMP_PROC_BIND) hold for OpenMP's executors alone.
   std::optional<graph::UnboundThread> unbound;
   if (!graph::is_openmp(arguments.options.executor)) unbound.emplace();
@@ -211,6 +213,7 @@ bool prepare_process() {
   // use, and fails or takes gigabytes if its value is no number.
   unsetenv("OMP_NUM_THREADS");
   clean_up_on_signals();
+  guard_files();
   return has_output;
 }
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "models/error.h"
+#include "program/cli/file_guard.h"
 
 namespace spoke::cli {
 namespace {
@@ -49,13 +50,7 @@ void require_folder(const fs::path& folder, const std::vector<std::string>& file
   if (!fs::is_directory(existing, error)) refuse(folder, existing.string() + " is no folder");
   if (access(existing.c_str(), W_OK | X_OK) != 0)
     refuse(folder, existing.string() + " is not writable");
-  for (const std::string& file : files) require_no_folder(folder / file);
-}
-
-void require_no_folder(const fs::path& file) {
-  std::error_code error;
-  if (fs::is_directory(file, error))
-    throw InputError(file.string() + ": cannot be written: Is a directory");
+  require_places(folder, files);
 }
 
 ResultsFolder::ResultsFolder(fs::path folder) : path_(std::move(folder)) {

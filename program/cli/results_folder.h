@@ -8,13 +8,10 @@
 
 namespace spoke::cli {
 
-/// Throws InputError unless the folder can be made, without making it, and if in it a folder stands
-/// where one of the files is to be written.
+/// Throws InputError unless the folder can be made, without making it, and if in it one of the
+/// results may not be written, see require_places().
 void require_folder(const std::filesystem::path& folder,
                     const std::vector<std::string>& files = {});
-
-/// Throws InputError if a folder stands where a file is to be written.
-void require_no_folder(const std::filesystem::path& file);
 
 /// A folder to which only this process writes, among all that take it by this class. The lock is
 /// the system's, not a file: it ends with the process, however that ends. Where the system has no

@@ -17,6 +17,7 @@
 #include "models/error.h"
 #include "program/cli/checkpoints.h"
 #include "program/cli/commands.h"
+#include "program/cli/file_guard.h"
 #include "program/cli/interruption.h"
 #include "program/cli/print_loops.h"
 #include "program/cli/progress.h"
@@ -314,10 +315,20 @@ std::string write_results(const Simulation& simulation, const Recording& recordi
 
 /// Throws InputError if a file could not be written, while the files of an earlier run are still
 /// there.
-void require_places(const Arguments& arguments, const fs::path& folder) {
+void require_results(const Arguments& arguments, const fs::path& folder) {
   if (!arguments.trace_out.empty()) require_folder(arguments.trace_out, trace::file_names());
   if (arguments.writes_vtk) require_folder(folder / "vtk");
-  require_folder(folder, {"sensors.csv", "summary.json", "report.html", "checkpoint.spoke"});
+  require_places(folder / "vtk", find_vtk_series(folder / "vtk"));  // of an earlier run
+  std::vector<std::string> files = {"summary.json", "report.html"};
+  // A run goes on with its own rows and checkpoint, which are looked at when they are read.
+  const fs::path resumed = arguments.resume;
+  std::error_code none;
+  if (resumed.empty() ||
+      !fs::equivalent(resumed.parent_path() / "sensors.csv", folder / "sensors.csv", none))
+    files.emplace_back("sensors.csv");
+  if (resumed.empty() || !fs::equivalent(resumed, folder / "checkpoint.spoke", none))
+    files.emplace_back("checkpoint.spoke");
+  require_folder(folder, files);
 }
 
 fs::path folder_of_results(const Arguments& arguments, const Scenario& scenario) {
@@ -344,7 +355,7 @@ struct Prepared {
       : scenario(read_run(arguments)),
         folder(folder_of_results(arguments, scenario)),
         simulation(build_timed(arguments, exchange)) {
-    require_places(arguments, folder);
+    require_results(arguments, folder);
     taken.emplace(folder);
     const fs::path trace_folder = arguments.trace_out;
     if (has_own_folder(trace_folder, folder)) taken_for_trace.emplace(trace_folder);

@@ -119,6 +119,13 @@ void add_path(CLI::App& command, const std::string& option, std::string& path,
 
 void add_out(CLI::App& command, Arguments& arguments, const std::string& unless_given) {
   add_path(command, "--out", arguments.out, "Folder of the results [" + unless_given + "]", "DIR");
+  add_force(command, arguments);
+}
+
+void add_force(CLI::App& command, Arguments& arguments) {
+  command.add_flag("--force", arguments.replaces_other_kinds,
+                   "Replace files that are not of the kind that is written, too;\n"
+                   "never those that the command reads");
 }
 
 void add_instructions(CLI::App& command, Arguments& arguments) {

@@ -20,8 +20,10 @@ void add_common(CLI::App& command, Arguments& arguments);
 /// shell variable that is not set gives.
 void add_path(CLI::App& command, const std::string& option, std::string& path,
               const std::string& text, const std::string& kind);
-/// Adds --out. `unless_given`: the default folder as --help describes it.
+/// Adds --out and --force. `unless_given`: the default folder as --help describes it.
 void add_out(CLI::App& command, Arguments& arguments, const std::string& unless_given);
+/// Adds --force, of commands that write files.
+void add_force(CLI::App& command, Arguments& arguments);
 void add_formulation(CLI::App& command, Arguments& arguments);
 void add_integrator(CLI::App& command, Arguments& arguments);
 /// Adds --instructions.

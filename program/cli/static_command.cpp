@@ -24,7 +24,8 @@ void print(const EquilibriumResult& result, const SteadyTask& task) {
 }  // namespace
 
 int find_static(const Arguments& arguments) {
-  const SteadyTask task(arguments, "static");
+  const SteadyTask task(arguments, "static",
+                        {"static.json", "section_forces.csv", "static.html", "section_air.csv"});
   const EquilibriumResult result = task.solve([&](const Scenario& scenario) {
     return solve_equilibrium(scenario, {arguments.steady.speed});
   });

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "engine/equilibrium.h"
 #include "models/error.h"
@@ -15,8 +16,9 @@ namespace spoke::cli {
 class SteadyTask {
  public:
   /// Reads the scenario; without --out the folder is results/NAME/`command`. Throws InputError,
-  /// also if the folder cannot be made.
-  SteadyTask(const Arguments& arguments, const std::string& command);
+  /// also if the folder cannot be made, or if one of the files may not be written to it.
+  SteadyTask(const Arguments& arguments, const std::string& command,
+             const std::vector<std::string>& files);
 
   const Scenario& scenario() const { return scenario_; }
   /// Returns the scenario's title or, without one, its name.

@@ -12,6 +12,7 @@
 #include "graph/executor.h"
 #include "models/count_text.h"
 #include "models/error.h"
+#include "program/cli/file_guard.h"
 #include "program/cli/interruption.h"
 #include "program/cli/progress.h"
 #include "program/cli/report.h"
@@ -53,9 +54,9 @@ struct Finished {
 /// Throws InputError if a file could not be written, while the files of an earlier study are still
 /// there, or if the runs of an unfinished one would be lost.
 void require_place(const fs::path& folder, bool resumes) {
-  require_folder(folder, {"runs.csv", "histories.csv", "study.json", "study.html", "study.h5",
-                          "study.journal"});
+  require_folder(folder, {"runs.csv", "histories.csv", "study.json", "study.html", "study.h5"});
   if (resumes) return;
+  require_places(folder, {"study.journal"});
   const std::string journal = (folder / "study.journal").string();
   const auto found = study::find_journal(journal);
   if (found && found->runs < found->planned)

@@ -54,7 +54,7 @@ void ensure_three(const BladeAxis& axis, std::vector<KeyPoint>& points) {
 
 std::string write_primary(const std::vector<KeyPoint>& points, const std::string& title,
                           const std::string& blade_file) {
-  std::string text = "--------- BEAMDYN with OpenFAST INPUT FILE ----------------------------\n" +
+  std::string text = "--------- BEAMDYN with OpenFAST INPUT FILE, written by spoke export ---\n" +
                      printable(title) + '\n';
   const auto line = [&](const std::string& value, const char* key, const char* what) {
     text += fmt::format("{:<14} {:<17}- {}\n", value, key, what);
@@ -171,9 +171,10 @@ std::string write_blade(const Beam& blade, const BladeAxis& axis, const Scenario
   const auto mu =
       factors_of(scenario.space->damping.directions, scenario.space->damping.stiffness_factor);
   const bool is_damped = std::any_of(mu.begin(), mu.end(), [](double f) { return f != 0.0; });
-  std::string text = " ------- BEAMDYN V1.00.* INDIVIDUAL BLADE INPUT FILE ------------------\n" +
-                     printable(scenario.title) + '\n' +
-                     " ---------------------- BLADE PARAMETERS -------------------------------\n";
+  std::string text =
+      " ------- BEAMDYN V1.00.* INDIVIDUAL BLADE INPUT FILE, written by spoke export ---\n" +
+      printable(scenario.title) + '\n' +
+      " ---------------------- BLADE PARAMETERS -------------------------------\n";
   text +=
       fmt::format("{}   station_total    - Number of blade input stations (-)\n", s.station.size());
   text += fmt::format("{}   damp_type        - Damping type: 0: no damping; 1: damped\n",

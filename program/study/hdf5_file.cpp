@@ -13,6 +13,7 @@
 
 #include "engine/output_file.h"
 #include "models/error.h"
+#include "models/file_watch.h"
 #include "program/study/hdf5_library.h"
 
 namespace spoke::study {
@@ -223,6 +224,8 @@ void write_hdf5(const std::string& file, const Study& study, const Sampling& sam
                 const ForEachRun& for_each) {
   h5().H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // silent, since faults are reported here
   const std::string temporary = file + ".tmp";
+  announce_replacing(file);
+  announce_replacing(temporary);
   const UnfinishedFile unfinished(temporary);
   const auto refuse = [&](const std::string& reason) {
     unlink(temporary.c_str());

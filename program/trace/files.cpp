@@ -15,12 +15,13 @@
 
 namespace spoke::trace {
 
-std::vector<std::string> file_names() { return {"trace.json", "graph.dot", "trace.html"}; }
+std::vector<std::string> file_names() {
+  // The last one is a picture that Graphviz made of an earlier graph.dot.
+  return {"trace.json", "graph.dot", "trace.html", "graph.svg"};
+}
 
 void remove_files(const std::filesystem::path& folder) {
-  std::vector<std::string> names = file_names();
-  names.emplace_back("graph.svg");  // picture that Graphviz made of an earlier graph.dot
-  for (const std::string& file : names) {
+  for (const std::string& file : file_names()) {
     std::error_code error;
     std::filesystem::remove(folder / file, error);
     if (error)

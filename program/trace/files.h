@@ -17,10 +17,10 @@ struct WrittenFiles {
   std::vector<std::string> remarks;  ///< a line for each file not written, with the reason
 };
 
-/// Returns the names of all files that write_files() may write.
+/// Returns the names of all files that write_files() may write, and of graph.svg.
 std::vector<std::string> file_names();
 
-/// Removes those files that write_files() writes, and graph.svg, if an earlier trace left them.
+/// Removes the files of these names, if an earlier trace left them.
 /// Throws InputError if one cannot be removed.
 void remove_files(const std::filesystem::path& folder);
 

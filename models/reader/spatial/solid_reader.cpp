@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <variant>
 
+#include "models/file_watch.h"
 #include "models/reader/spatial/solid_faults.h"
 #include "models/reader/spatial/vector_reader.h"
 #include "models/scenario.h"
@@ -26,6 +27,7 @@ std::string read_file_name(const TomlSection& section, std::string_view key,
   if (name.empty() || !std::filesystem::exists(file, ignored))
     section.fail(key, "is \"" + name + "\", but there is no file " + file.string() + ", expected " +
                           expected);
+  announce_reading(file);  // now, though matrices are read when the solid is made
   return file.string();
 }
 
@@ -46,6 +48,7 @@ std::array<std::string, Count> read_file_names(const TomlSection& section, std::
     if (!std::filesystem::exists(file, ignored))
       section.fail_at(std::string(key) + '.' + std::to_string(i + 1),
                       "is \"" + *name + "\", but there is no file " + file.string());
+    announce_reading(file);
     files[i] = file.string();
   }
   return files;

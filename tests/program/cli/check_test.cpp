@@ -128,8 +128,8 @@ TEST_CASE("a precone in degrees is asked for by all that find out about a model"
 TEST_CASE("check draws no page in the place of the scenario") {
   const WorkFolder folder;
   const std::string scenario = folder.write("s.toml", file_text(shipped("wu_haug_rotor"))).string();
-  check_refused({"check", scenario, "--html", scenario}, scenario + " is the scenario itself",
-                folder);
+  check_refused({"check", scenario, "--html", scenario},
+                scenario + ": cannot be written: the command reads this file", folder);
 }
 
 TEST_CASE("check warns of a step that rk4 is not stable at") {
