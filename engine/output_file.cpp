@@ -131,6 +131,13 @@ UnfinishedFile::~UnfinishedFile() {
 void remove_unfinished_files() noexcept {
   for (const std::atomic<const char*>& file : unfinished_files)
     if (const char* const name = file.load()) unlink(name);
+  // A folder may hold others, which are noted in any order.
+  bool is_removed = true;
+  while (is_removed) {
+    is_removed = false;
+    for (const std::atomic<const char*>& folder : unfinished_files)
+      if (const char* const name = folder.load()) is_removed = rmdir(name) == 0 || is_removed;
+  }
 }
 
 /// Runs `work`; messages of its errors name the file that was asked for.

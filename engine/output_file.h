@@ -52,7 +52,8 @@ class SPOKE_EXPORT OutputFile {
 };
 
 /// A file that is removed if the process ends by a signal while this object lives: one that has not
-/// taken its final place yet. The program must call remove_unfinished_files() on the signal.
+/// taken its final place yet, or a folder, which is removed if it is empty. The program must call
+/// remove_unfinished_files() on the signal.
 class SPOKE_EXPORT UnfinishedFile {
  public:
   /// Notes the name; does not make the file.

@@ -14,6 +14,8 @@
 
 #include "models/error.h"
 #include "models/file_watch.h"
+#include "program/cli/report.h"
+#include "program/cli/standard_streams.h"
 
 namespace spoke::cli {
 namespace {
@@ -33,10 +35,18 @@ std::optional<FileNumber> number_of(const fs::path& file) {
   throw InputError(file.string() + ": cannot be written: " + reason);
 }
 
+/// Tells of a named pipe, at which the command waits for as long as nobody writes to it.
+void tell_of_pipe(const fs::path& file) {
+  std::error_code none;
+  if (fs::is_fifo(fs::symlink_status(file, none)))
+    print_error(one_line(file.string()) + ": is a pipe, waiting for what is written to it");
+}
+
 /// Notes what is read, and refuses to replace it.
 class FileGuard final : public FileWatch {
  public:
   void will_read(const fs::path& file) override {
+    tell_of_pipe(file);
     const std::optional<FileNumber> number = number_of(file);
     const std::lock_guard lock(mutex_);
     if (number) read_.insert(*number);

@@ -9,6 +9,7 @@
 #include "engine/output_file.h"
 #include "models/count_text.h"
 #include "models/error.h"
+#include "models/text_file.h"
 #include "program/cli/build_simulation.h"
 #include "program/cli/file_guard.h"
 #include "program/cli/report.h"
@@ -56,10 +57,15 @@ void print(const fmu::Fmu& made, const Simulation& simulation, const std::string
 }  // namespace
 
 int make_fmu(const Arguments& arguments, const FmuArguments& own) {
-  fmu::FmuRequest request{arguments.scenario,          arguments.overrides, name_of(arguments.out),
-                          fmu::find_library(),         own.inputs,          own.outputs,
-                          fmu::FmiVersion{own.version}};
-  const Scenario scenario = read_scenario(arguments.scenario, arguments.overrides);
+  const fmu::FmuRequest request{.scenario = arguments.scenario,
+                                .overrides = arguments.overrides,
+                                .name = name_of(arguments.out),
+                                .binary = fmu::find_library(),
+                                .inputs = own.inputs,
+                                .outputs = own.outputs,
+                                .version = fmu::FmiVersion{own.version},
+                                .text = read_text(arguments.scenario)};
+  const Scenario scenario = parse_scenario(request.text, arguments.scenario, arguments.overrides);
   require_place(arguments.out, kFmuFile);
   warn_of_oddities(arguments.scenario, scenario);
   SimulationOptions options;

@@ -18,7 +18,7 @@ const char* const kStatusText = R"(Exit status:
   2  bad command line or scenario, or output that cannot be written;
      the message on stderr says file:line:column, key, what is wrong and what is expected
   3  the simulation diverged; results so far are kept
-  130, 143  SIGINT or SIGTERM ended a run; results so far are kept
+  129, 130, 143  SIGHUP, SIGINT or SIGTERM ended a run; results so far are kept
 )";
 
 const char* const kMeasuringStatusText = R"(Exit status:
@@ -27,7 +27,7 @@ const char* const kMeasuringStatusText = R"(Exit status:
   2  bad command line or scenario, output that cannot be written, or nothing could be measured;
      the message on stderr says what is wrong
   3  the simulation diverged; nothing is written
-  130, 143  SIGINT or SIGTERM ended it (as a shell reports that); nothing is written
+  129, 130, 143  SIGHUP, SIGINT or SIGTERM ended it (as a shell reports that); nothing is written
 )";
 
 const char* const kRunText = R"(Output files, in the folder of --out:
@@ -44,7 +44,7 @@ const char* const kRunText = R"(Output files, in the folder of --out:
 mpirun -n P spoke run ... shares the model out over P processes, with the same files
 (docs/machines.md).
 
-The first Ctrl-C (SIGINT) or SIGTERM completes the step, writes rows, summary and checkpoint, and
+The first Ctrl-C (SIGINT), SIGTERM or SIGHUP completes the step, writes rows, summary and checkpoint, and
 ends; a second one ends at once.
 
 Examples:

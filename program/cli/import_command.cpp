@@ -49,6 +49,7 @@ class NewFolder {
   explicit NewFolder(fs::path folder) : folder_(std::move(folder)) {
     std::error_code error;
     is_new_ = fs::create_directory(folder_, error);
+    if (is_new_) unfinished_.emplace(folder_.string());
     if (!fs::is_directory(folder_))
       throw InputError(folder_.string() +
                        ": cannot be made, expected a folder for the tables of the aerofoils");
@@ -64,6 +65,7 @@ class NewFolder {
  private:
   fs::path folder_;
   bool is_new_ = false;
+  std::optional<UnfinishedFile> unfinished_;  ///< the folder, for signals
 };
 
 /// Writes the scenario and its tables; all of them lie beside their places before the first takes

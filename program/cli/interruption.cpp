@@ -1,4 +1,4 @@
-// The handler of SIGINT and SIGTERM.
+// The handlers of SIGINT, SIGTERM and SIGHUP.
 
 #include "program/cli/interruption.h"
 
@@ -8,6 +8,8 @@
 
 namespace spoke::cli {
 namespace {
+
+constexpr std::array kEnding{SIGINT, SIGTERM, SIGHUP};
 
 std::atomic<int> noted{0};
 static_assert(std::atomic<int>::is_always_lock_free);  // so a handler may touch it
@@ -37,22 +39,23 @@ void handle(int signal, void (*handler)(int), struct sigaction& before) {
 
 Interruption::Interruption() {
   noted = 0;
-  handle(SIGINT, note_signal, interrupt_);
-  handle(SIGTERM, note_signal, terminate_);
+  for (std::size_t k = 0; k < kEnding.size(); ++k) handle(kEnding[k], note_signal, before_[k]);
 }
 
 Interruption::~Interruption() {
-  sigaction(SIGINT, &interrupt_, nullptr);
-  sigaction(SIGTERM, &terminate_, nullptr);
+  for (std::size_t k = 0; k < kEnding.size(); ++k) sigaction(kEnding[k], &before_[k], nullptr);
 }
 
 int Interruption::signal() { return noted; }
 
 void clean_up_on_signals() {
   struct sigaction before {};
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) handle(signal, end_by_signal, before);
+  for (const int signal : kEnding) handle(signal, end_by_signal, before);
 }
 
-std::string name_of_signal(int signal) { return signal == SIGINT ? "SIGINT" : "SIGTERM"; }
+std::string name_of_signal(int signal) {
+  if (signal == SIGHUP) return "SIGHUP";
+  return signal == SIGINT ? "SIGINT" : "SIGTERM";
+}
 
 }  // namespace spoke::cli

@@ -67,9 +67,13 @@ void ResultsFolder::make() {
   fs::path folder;
   for (const fs::path& name : path_) {
     folder /= name;
-    std::error_code error;
-    if (fs::create_directory(folder, error)) made_.push_back(folder);
-    std::error_code none;
+    std::error_code error, none;
+    const bool is_missing = !fs::exists(folder, none);
+    if (is_missing) unfinished_.emplace_back(folder.string());  // first: a signal may come any time
+    if (fs::create_directory(folder, error))
+      made_.push_back(folder);
+    else if (is_missing)
+      unfinished_.pop_back();
     if (!error || fs::is_directory(folder, none)) continue;
     remove_made();
     refuse(path_, error.message());

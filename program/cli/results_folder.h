@@ -2,9 +2,12 @@
 
 // Folders and files that a command writes.
 
+#include <deque>
 #include <filesystem>
 #include <string>
 #include <vector>
+
+#include "engine/output_file.h"
 
 namespace spoke::cli {
 
@@ -21,7 +24,8 @@ class ResultsFolder {
   /// Makes the folder and those above it, unless they exist, and locks it. Throws InputError if it
   /// cannot be made or another process has locked it.
   explicit ResultsFolder(std::filesystem::path folder);
-  /// Removes the folders that it made, if nothing was written to them.
+  /// Removes the folders that it made, if nothing was written to them. So does a signal that ends
+  /// the process.
   ~ResultsFolder();
   ResultsFolder(const ResultsFolder&) = delete;
   ResultsFolder& operator=(const ResultsFolder&) = delete;
@@ -33,6 +37,7 @@ class ResultsFolder {
 
   std::filesystem::path path_;
   std::vector<std::filesystem::path> made_;  ///< each within the one before
+  std::deque<UnfinishedFile> unfinished_;    ///< the same, for signals
   int descriptor_ = -1;                      ///< open folder that carries the lock
 };
 

@@ -29,8 +29,8 @@ Output files, in the folder of --out:
   study.h5        parameters, responses and histories as HDF5, if the program was built with it
   study.journal   the runs as they ended: what --resume goes on from, whenever the study was killed
 
-The first Ctrl-C (SIGINT) or SIGTERM completes the runs that have begun, and ends; a second one ends
-at once.
+The first Ctrl-C (SIGINT), SIGTERM or SIGHUP completes the runs that have begun, and ends; a second
+one ends at once.
 
 Example:
   spoke study models/studies/blade_stiffness.toml --threads 2
@@ -41,7 +41,7 @@ const char* const kStudyStatusText = R"(Exit status:
   1  a fault in spoke itself
   2  bad command line, study or scenario, or output that cannot be written;
      the message on stderr says file:line:column, key, what is wrong and what is expected
-  130, 143  SIGINT or SIGTERM ended it; go on with --resume
+  129, 130, 143  SIGHUP, SIGINT or SIGTERM ended it; go on with --resume
 )";
 
 void add_options(CLI::App& command, Arguments& arguments, StudyArguments& own) {

@@ -15,6 +15,7 @@
 #include "models/error.h"
 #include "models/support/hash_bytes.h"
 #include "models/support/nearest_name.h"
+#include "models/text_file.h"
 #include "program/fmu/archive.h"
 #include "program/fmu/contents.h"
 #include "program/fmu/licences.h"
@@ -135,7 +136,9 @@ Fmu make_fmu(const FmuRequest& request, const Simulation& simulation) {
   Fmu made;
   made.inputs = choose(simulation, request.inputs);
   made.outputs = choose_outputs(simulation, request.outputs);
-  PackedScenario scenario = pack_scenario(request.scenario, request.overrides);
+  PackedScenario scenario = pack_scenario(
+      request.scenario, request.text.empty() ? read_text(request.scenario) : request.text,
+      request.overrides);
   const Contents contents = make_contents(scenario, simulation, made);
   const ModelDescription model = describe(request, simulation, contents, made);
   std::vector<PackedFile> files{

@@ -21,6 +21,7 @@ struct FmuRequest {
   std::vector<std::string> inputs;   ///< names; none: the usual ones; "none": no inputs
   std::vector<std::string> outputs;  ///< names of columns or of sensors; none: all columns
   FmiVersion version = FmiVersion::three;
+  std::string text = {};  ///< of the file, if it has been read; it may be a pipe
 };
 
 /// An FMU that is ready to be written.

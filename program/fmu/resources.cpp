@@ -14,7 +14,6 @@
 #include "models/error.h"
 #include "models/reader/toml_document.h"
 #include "models/support/json.h"
-#include "models/text_file.h"
 
 namespace spoke::fmu {
 namespace {
@@ -91,9 +90,9 @@ std::string read_bytes(const fs::path& file) {
 
 }  // namespace
 
-PackedScenario pack_scenario(const std::string& file, const Overrides& overrides) {
+PackedScenario pack_scenario(const std::string& file, const std::string& text,
+                             const Overrides& overrides) {
   PackedScenario packed{fs::path(file).filename().string(), overrides};
-  const std::string text = read_text(file);
   packed.files.push_back({packed.name, text});
   TomlDocument document(text, file);
   for (const std::string& assignment : overrides) document.set(assignment);

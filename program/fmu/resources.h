@@ -22,9 +22,11 @@ struct PackedScenario {
   std::vector<PackedFile> files{};  ///< the scenario first; names are beside the scenario
 };
 
-/// Reads a scenario file and the files of meshes, matrices, aerofoils and wind that it names,
-/// wherever they are: they get names of their own in the folder "files". Throws InputError if one
-/// cannot be read. The scenario has been read before, so that it is known to be valid.
-PackedScenario pack_scenario(const std::string& file, const Overrides& overrides);
+/// Takes the text of a scenario file, and reads the files of meshes, matrices, aerofoils and wind
+/// that it names, wherever they are: they get names of their own in the folder "files". Throws
+/// InputError if one cannot be read. The scenario has been read before, so that it is known to be
+/// valid.
+PackedScenario pack_scenario(const std::string& file, const std::string& text,
+                             const Overrides& overrides);
 
 }  // namespace spoke::fmu

@@ -21,7 +21,7 @@ namespace {
   const int error_file = open(errors, O_WRONLY | O_CREAT | O_TRUNC, 0600);
   if (chdir(folder) != 0 || dup2(nothing, 0) < 0 || dup2(nothing, 1) < 0 || dup2(error_file, 2) < 0)
     _exit(99);
-  for (const int signal : {SIGINT, SIGTERM, SIGXFSZ}) std::signal(signal, SIG_DFL);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXFSZ}) std::signal(signal, SIG_DFL);
   if (most_bytes > 0) {
     const rlimit limit{most_bytes, most_bytes};
     setrlimit(RLIMIT_FSIZE, &limit);

@@ -269,3 +269,55 @@ TEST_CASE("SIGINT while files are written leaves all of them, and no other") {
   CHECK(file_text(results / "static.html").ends_with("</html>\n"));
   CHECK(folder.entries() == 4);
 }
+
+TEST_CASE("SIGHUP ends a run with its summary, as SIGTERM does") {
+  const WorkFolder folder;
+  const ChildEnded ended = interrupt(SIGHUP, long_run({"--executor", "serial"}), folder);
+  CHECK(ended.status == 128 + SIGHUP);
+  CHECK(ended.err.find("interrupted by SIGHUP at t = ") == 0);
+  const json summary = json::parse(file_text(folder.path() / "o" / "summary.json"));
+  CHECK(summary["status"] == "interrupted");
+  CHECK(summary["message"] == lines_of(ended.err)[0]);
+  CHECK(lines_of(file_text(folder.path() / "o" / "sensors.csv")).size() ==
+        summary["steps"].get<std::size_t>() + 2);
+}
+
+TEST_CASE("a signal to what measures leaves none of the folders that it made") {
+  for (const std::string command : {"compare", "predict"})
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+      CAPTURE(command);
+      const WorkFolder folder;
+      fs::create_directory(folder.path() / "before");
+      Child child({command, shipped("wu_haug_rotor"), "--threads", "1", "--out", "before/o/p/q"},
+                  folder);
+      REQUIRE(wait_until([&] { return fs::exists(folder.path() / "before/o/p/q"); }));
+      child.send(signal);
+      CHECK(child.wait().signal == signal);
+      CHECK(fs::exists(folder.path() / "before"));
+      CHECK_FALSE(fs::exists(folder.path() / "before/o"));
+    }
+}
+
+TEST_CASE("who waits at a pipe is told") {
+  const WorkFolder folder;
+  const std::string pipe = (folder.path() / "s.toml").string();
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  // fmu needs the text twice, and reads it once.
+  for (const Words& words : {Words{"check", "s.toml"}, Words{"fmu", "s.toml", "--out", "r.fmu"}}) {
+#ifndef SPOKE_HAS_FMU
+    if (words[0] == "fmu") continue;
+#endif
+    Child child(words, folder);
+    int writer = -1;
+    REQUIRE(wait_until([&] {
+      writer = open(pipe.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+      return writer >= 0;
+    }));
+    const std::string text = file_text(shipped("wu_haug_rotor"));
+    REQUIRE(write(writer, text.data(), text.size()) == static_cast<ssize_t>(text.size()));
+    close(writer);
+    const ChildEnded ended = child.wait();
+    CHECK(ended.status == 0);
+    CHECK(ended.err == "s.toml: is a pipe, waiting for what is written to it\n");
+  }
+}

@@ -97,7 +97,8 @@ TEST_CASE("files of meshes and matrices go with the scenario, from wherever they
   text.replace(text.find("\"meshes/bracket.msh\""), 20, "\"../part.msh\"");
   const fs::path file = folder.path() / "a/b/bracket.toml";
   std::ofstream(file) << text;
-  const fmu::PackedScenario packed = fmu::pack_scenario(file.string(), {"integration.step=1e-3"});
+  const fmu::PackedScenario packed =
+      fmu::pack_scenario(file.string(), file_text(file), {"integration.step=1e-3"});
   REQUIRE(packed.files.size() == 2);
   CHECK(packed.files[1].name == "files/1_part.msh");
   CHECK(packed.files[1].content == file_text(mesh));
@@ -113,8 +114,8 @@ body = [
   { mass = 3.0, mesh = "m.mtx", interface = [{ name = "a", nodes = "set" }] },
 ]
 )";
-  const fmu::PackedScenario matrices =
-      fmu::pack_scenario((folder.path() / "matrices.toml").string(), {});
+  const fmu::PackedScenario matrices = fmu::pack_scenario(
+      (folder.path() / "matrices.toml").string(), file_text(folder.path() / "matrices.toml"), {});
   CHECK(matrices.files.size() == 5);
   CHECK(matrices.overrides.size() == 7);
   CHECK(std::find(matrices.overrides.begin(), matrices.overrides.end(),

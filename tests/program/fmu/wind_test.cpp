@@ -16,6 +16,7 @@
 #include "program/fmu/make_fmu.h"
 #include "program/fmu/resources.h"
 #include "tests/contains.h"
+#include "tests/file_text.h"
 #include "tests/message_of.h"
 #include "tests/models/air/bts_bytes.h"
 #include "tests/program/fmu/importer.h"
@@ -125,7 +126,7 @@ TEST_CASE("files of wind and aerofoils go with the scenario, from wherever they 
   text.replace(text.find("velocity = [8.0, 0.0, 0.0]"), 26, "file = \"../wind.txt\"");
   const fs::path file = folder.path() / "a/rotor.toml";
   std::ofstream(file) << text;
-  const fmu::PackedScenario packed = fmu::pack_scenario(file.string(), {});
+  const fmu::PackedScenario packed = fmu::pack_scenario(file.string(), file_text(file), {});
   REQUIRE(packed.files.size() == 3);
   CHECK(packed.files[1].name == "files/1_wind.txt");
   CHECK(packed.files[2].name == "files/2_wing.txt");
