@@ -11,8 +11,8 @@
 // and so to the multi-port of handle accelerations. Per subsystem the tree of multi-ports is
 // eliminated from the tips to the root (engine/tree) (the block-tridiagonal Phi M^-1 Phi^T of (P
 // 8)); what remains at the root is (P 10). Trees of one subsystem meet at the hub alone: each has a
-// root of its own, and (P 10) is their sum. Sources: structured/condense_body, effective_inertia
-// and recovery.
+// root of its own, and (P 10) is their sum. Trees of rigid bodies alone are eliminated by masses.
+// Sources: structured/condense_body, effective_inertia, recovery and mass_loops.
 
 #include "engine/table/step_data.h"
 #include "engine/tree/joint_recovery.h"
@@ -22,8 +22,10 @@ namespace spoke::structured {
 /// Memory of the formulation per body besides BodyData.
 template <class World>
 struct BodyWork : BodyTypes<World>::Condensed {
-  tree::JointElimination<World> joint;  ///< inboard joint; unused for roots
-  tree::Branch<World> branch;           ///< the body with all that it carries
+  tree::JointElimination<World> joint;        ///< inboard joint; unused for roots
+  tree::Branch<World> branch;                 ///< the body with all that it carries
+  bool by_mass = false;                       ///< see SubsystemWork
+  TwistOf<World> X = TwistOf<World>::Zero();  ///< acceleration of the frame, if by_mass
 };
 
 /// Memory of the formulation per subsystem.
@@ -33,6 +35,9 @@ struct alignas(kInterferenceSize) SubsystemWork {
   std::vector<int> root_bodies;  ///< bodies that the hub carries
   ArenaVector<tree::RootElimination<World>> roots;
   ArenaVector<double> storage;  ///< memory of all bodies
+  /// Whether the subsystem has rigid bodies alone, in space: they are eliminated by their masses
+  /// (engine/tree/mass_elimination.h) in place of their compliances.
+  bool by_mass = false;
 };
 
 template <class World>
@@ -66,9 +71,10 @@ template <class World>
 void load_joints_by_loops(const Subsystem<World>& subsystem, const SubsystemData<World>& data,
                           SubsystemWork<World>& work) noexcept;
 
-/// Calculates joint wrenches from the roots to the tips (P 8), from the hub's acceleration.
+/// Calculates joint wrenches from the roots to the tips (P 8), from the hub's acceleration; by
+/// masses the bodies' accelerations as well, in `work`.
 template <class World>
-void recover_wrenches(const Subsystem<World>& subsystem, const SubsystemWork<World>& work,
+void recover_wrenches(const Subsystem<World>& subsystem, SubsystemWork<World>& work,
                       SubsystemData<World>& data) noexcept;
 
 /// Calculates the accelerations of a body (P 7): X into `data.X`, qf'' into the flex vector `a`.

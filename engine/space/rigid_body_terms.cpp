@@ -61,6 +61,16 @@ void condense(const RigidPort& body, const Twist& twist, const Twist& Q,
   }
 }
 
+void place_mass(const RigidPort& body, const Twist& twist, const Twist& Q,
+                const tree::MultiPort<Space>& port) noexcept {
+  assert(std::cmp_equal(body.handles.size(), port.handles));
+  port.diagonal[0] = body.mass;
+  port.free[0] = Q;
+  for (int h = 1; h < port.handles; ++h)
+    port.free[h] = make_twist(
+        centripetal(angular(twist), body.handles[static_cast<std::size_t>(h)]), Angular::Zero());
+}
+
 Twist recover_frame(const RigidPort& body, const Twist& Q,
                     std::span<const Twist> wrenches) noexcept {
   assert(wrenches.size() <= body.handles.size());

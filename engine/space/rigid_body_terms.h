@@ -33,6 +33,11 @@ Twist calc_gyroscopic_force(const SymmetricTwistMatrix& mass, const Twist& twist
 void condense(const RigidPort& body, const Twist& twist, const Twist& Q,
               const tree::MultiPort<Space>& port) noexcept;
 
+/// Sets what the elimination by masses reads, in the memory of the multi-port: M_RR in the place of
+/// P_00, Q in that of a_0, and of the other handles the accelerations [w x (w x s_h); 0] at X = 0.
+void place_mass(const RigidPort& body, const Twist& twist, const Twist& Q,
+                const tree::MultiPort<Space>& port) noexcept;
+
 /// Sets the multi-port of a hub on a support, which has one handle, at its origin.
 void condense(const CarriedInertia& hub, const Twist& Q,
               const tree::MultiPort<Space>& port) noexcept;

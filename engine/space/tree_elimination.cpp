@@ -17,11 +17,21 @@ namespace {
 
 const space::Solid& solid_of(const BodyData<Space>& body) { return *body.model->body->solid(); }
 
+/// Sets what the elimination by masses reads.
+void place_mass(const BodyData<Space>& data, const space::Twist& twist) {
+  const tree::MultiPort<Space>& port = data.work.port;
+  if (!data.carried) return space::place_mass(*data.blocks[0]->rigid, twist, data.terms.Q, port);
+  port.diagonal[0] = data.carried->mass;
+  port.free[0] = data.terms.Q;
+}
+
 }  // namespace
 
 void condense_body(BodyData<Space>& data, const space::Twist& twist, bool implicit,
-                   BodyWork<Space>&) noexcept {
-  if (data.model->body->flexible())
+                   BodyWork<Space>& work) noexcept {
+  if (work.by_mass)
+    place_mass(data, twist);
+  else if (data.model->body->flexible())
     space::condense_body(body_model_of(data), data.terms, angular(twist), implicit, data.work);
   else if (is_tiled(data))
     condense_between(solid_of(data), *data.blocks[implicit]->solid, data.terms, angular(twist),
@@ -71,10 +81,12 @@ void recover_children(const Subsystem<Space>& subsystem, std::size_t j,
   });
 }
 
-void recover_body(const SubsystemData<Space>&, std::size_t, const BodyWork<Space>&, bool implicit,
-                  BodyData<Space>& data, double* a) noexcept {
+void recover_body(const SubsystemData<Space>&, std::size_t, const BodyWork<Space>& work,
+                  bool implicit, BodyData<Space>& data, double* a) noexcept {
   const space::Twist* wrenches = data.work.wrenches;
-  if (data.model->body->flexible()) {
+  if (work.by_mass) {
+    data.X = work.X;
+  } else if (data.model->body->flexible()) {
     data.X = space::recover_body(body_model_of(data), wrenches, implicit, data.work, a);
   } else if (is_tiled(data)) {
     data.X = recover_between(solid_of(data), *data.blocks[implicit]->solid, wrenches, data.work);

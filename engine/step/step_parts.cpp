@@ -191,7 +191,11 @@ SubsystemParts add_subsystem_parts(SystemContext<World>& context, int i,
   if (!data.controls.empty())
     parts.controls =
         builder.add_part(name + "control", {bytes_of(data.controls[0], data.controls.size())});
-  parts.wrenches = builder.add_part(name + "wrenches", memory_of_wrenches(data));
+  Memory wrenches = memory_of_wrenches(data);
+  if (context.formulation == Formulation::structured)
+    for (structured::BodyWork<World>& body : context.work.structured[i].bodies)
+      if (body.by_mass) wrenches.push_back(bytes_of(body.X));
+  parts.wrenches = builder.add_part(name + "wrenches", wrenches);
   parts.samples = add_ring(name + "samples", data.samples, builder);
   Memory joint_loads{bytes_of(data.root_load), bytes_of(data.joint_loads[0], count)};
   LoopData<World>& loops = data.loops;

@@ -29,19 +29,22 @@ struct JointResponse {
   Columns H;                        ///< by coordinate, where and as r is given
   Columns gain;                     ///< d_k y_k
   std::array<double, kMost> given;  ///< t_k
+  std::array<double, kMost> yield;  ///< d_k
   typename World::Twist wrench;     ///< s: transmitted at r = 0
 };
 
 /// Eliminates `joint.coordinates` coordinates, whose columns are `response.H`, with forces
-/// joint.tau and joint.share, from Pi = Pi_0.
+/// joint.tau and joint.share, from Pi = Pi_0 and s_0 = `wrench`.
 template <class World, class Joint>
 void eliminate_coordinates(const Joint& joint, typename World::SymmetricTwistMatrix& Pi,
-                           JointResponse<World>& response) noexcept {
+                           JointResponse<World>& response,
+                           const typename World::Twist& wrench = World::Twist::Zero()) noexcept {
   assert(joint.coordinates >= 0 && joint.coordinates <= World::kMostJointCoordinates);
   using Twist = typename World::Twist;
-  response.wrench.setZero();
+  response.wrench = wrench;
   response.gain.setZero();
   response.given.fill(0.0);
+  response.yield.fill(0.0);
   for (int c = 0; c < joint.coordinates; ++c) {
     const auto k = static_cast<std::size_t>(c);
     const Twist H = response.H.col(c);
@@ -52,6 +55,7 @@ void eliminate_coordinates(const Joint& joint, typename World::SymmetricTwistMat
     response.wrench -= given * y;
     response.gain.col(c) = d * y;
     response.given[k] = given;
+    response.yield[k] = d;
   }
 }
 

@@ -46,8 +46,11 @@ tree::HubShare<Space> sum_shares(const Subsystem<Space>& subsystem,
   tree::HubShare<Space> sum;
   for (std::size_t k = 0; k < work.roots.size(); ++k) {
     const auto j = static_cast<std::size_t>(work.root_bodies[k]);
-    const tree::HubShare<Space> share =
-        tree::eliminate_root(joint_of(subsystem, data, j), work.bodies[j].branch, work.roots[k]);
+    const space::JointTerms joint = joint_of(subsystem, data, j);
+    const tree::Branch<Space>& branch = work.bodies[j].branch;
+    const tree::HubShare<Space> share = work.by_mass
+                                            ? eliminate_root_by_mass(joint, branch, work.roots[k])
+                                            : tree::eliminate_root(joint, branch, work.roots[k]);
     sum = k == 0 ? share : tree::HubShare<Space>{sum.mass + share.mass, sum.force + share.force};
   }
   return sum;
@@ -61,7 +64,9 @@ void calc_effective_inertia(const Subsystem<World>& subsystem, SubsystemData<Wor
   assert(work.bodies.size() == subsystem.bodies.size() && data.bodies.size() == work.bodies.size());
   // (1) Each body is condensed with all that it carries, from the tips.
   const tree::HubShare<World> share = run_kernel([&]() noexcept {
-    for (std::size_t j = work.bodies.size(); j-- > 0;) join_children(subsystem, j, data, work);
+    for (std::size_t j = work.bodies.size(); j-- > 0;)
+      work.by_mass ? join_children_by_mass(subsystem, j, data, work)
+                   : join_children(subsystem, j, data, work);
     return sum_shares(subsystem, data, work);
   });
   EffectiveInertia<World>& effective = data.effective;

@@ -11,7 +11,7 @@
 #include <cassert>
 
 #include "engine/formulation/loops.h"
-#include "engine/formulation/structured.h"
+#include "engine/formulation/structured/tree_elimination.h"
 #include "engine/formulation/tree_joints.h"
 #include "engine/support/wide_kernels.h"
 
@@ -185,9 +185,8 @@ class LoopCoupling {
     for (int i = 0; i < of_a.rows; ++i)
       for (int j = 0; j < of_b.rows && (a != b || j <= i); ++j)
         data_.loops.entry(of_a.first_row + i, of_b.first_row + j) =
-            !takes_part(of_a.first_row + i) || !takes_part(of_b.first_row + j)
-                ? 0.0
-                : at_places(a, b, i, j) - at_joints(of_a, of_b, i, j) - at_roots(of_a, of_b, i, j);
+            !takes_part(of_a.first_row + i) || !takes_part(of_b.first_row + j) ? 0.0
+                                                                               : couple(a, b, i, j);
   }
 
  private:
@@ -195,6 +194,13 @@ class LoopCoupling {
 
   bool takes_part(int row) const {
     return data_.loops.use[static_cast<std::size_t>(row)] != LoopRowUse::dropped;
+  }
+
+  double couple(std::size_t a, std::size_t b, int i, int j) const {
+    const LoopPath &of_a = data_.loops.paths[a], &of_b = data_.loops.paths[b];
+    const double joints = at_joints(of_a, of_b, i, j), roots = at_roots(of_a, of_b, i, j);
+    // By masses rigid bodies yield nothing but what their joints' coordinates do.
+    return work_.by_mass ? joints + roots : at_places(a, b, i, j) - joints - roots;
   }
 
   double at_places(std::size_t a, std::size_t b, int i, int j) const {
@@ -255,6 +261,7 @@ template <class World>
 void calc_loop_columns(const Subsystem<World>& subsystem, std::size_t loop,
                        const SubsystemWork<World>& work, SubsystemData<World>& data) noexcept {
   assert(loop < subsystem.loops.size());
+  if (work.by_mass) return calc_loop_columns_by_mass(subsystem, loop, work, data);
   run_kernel([&]() noexcept { LoopEliminator<World>(subsystem, loop, work, data).eliminate(); });
 }
 
@@ -268,21 +275,44 @@ void fill_loop_matrix(const Subsystem<World>& subsystem, const SubsystemWork<Wor
   });
 }
 
+namespace {
+
+/// Adds the force `lambda` of a row to what a joint gives; `column`: of the row at this joint.
+template <class World, class Elimination>
+void load_joint(const LoopData<World>& loops, bool by_mass, int child, int row, std::size_t column,
+                Elimination& joint, TwistOf<World>& rhs) {
+  const double lambda = loops.multipliers[static_cast<std::size_t>(row)];
+  if constexpr (tree::kHasJointCoordinates<World>)
+    if (by_mass) {
+      joint.response.wrench += lambda * loops.branch(child, row);
+      for (int c = 0; c < World::kMostJointCoordinates; ++c)
+        joint.response.given[static_cast<std::size_t>(c)] += lambda * loops.joint_forces[column][c];
+      return;
+    }
+  rhs += lambda * loops.joints[column];
+}
+
+}  // namespace
+
 template <class World>
 void load_joints_by_loops(const Subsystem<World>& subsystem, const SubsystemData<World>& data,
                           SubsystemWork<World>& work) noexcept {
   const LoopData<World>& loops = data.loops;
   for (std::size_t k = 0; k < subsystem.loops.size(); ++k) {
     const LoopPath& path = loops.paths[k];
-    const double* lambda = loops.multipliers.data() + path.first_row;
-    for (int row = 0; row < path.rows; ++row) {
-      if (lambda[row] == 0.0) continue;  // of redundant rows
-      for (std::size_t m = 0; m < path.joints.size(); ++m)
-        work.bodies[static_cast<std::size_t>(path.joints[m].child)].joint.rhs +=
-            lambda[row] * loops.joints[path.column(m, row)];
-      for (std::size_t m = 0; m < path.roots.size(); ++m)
-        work.roots[root_index(work, path.roots[m])].free +=
-            lambda[row] * loops.joints[path.column(path.joints.size() + m, row)];
+    for (int of_loop = 0; of_loop < path.rows; ++of_loop) {
+      const int row = path.first_row + of_loop;
+      if (loops.multipliers[static_cast<std::size_t>(row)] == 0.0) continue;  // of redundant rows
+      for (std::size_t m = 0; m < path.joints.size(); ++m) {
+        const int child = path.joints[m].child;
+        auto& joint = work.bodies[static_cast<std::size_t>(child)].joint;
+        load_joint(loops, work.by_mass, child, row, path.column(m, of_loop), joint, joint.rhs);
+      }
+      for (std::size_t m = 0; m < path.roots.size(); ++m) {
+        auto& root = work.roots[root_index(work, path.roots[m])];
+        load_joint(loops, work.by_mass, path.roots[m], row,
+                   path.column(path.joints.size() + m, of_loop), root, root.free);
+      }
     }
   }
 }

@@ -28,9 +28,10 @@ void recover_children(const Subsystem<Plane>& subsystem, std::size_t j,
 }  // namespace
 
 template <class World>
-void recover_wrenches(const Subsystem<World>& subsystem, const SubsystemWork<World>& work,
+void recover_wrenches(const Subsystem<World>& subsystem, SubsystemWork<World>& work,
                       SubsystemData<World>& data) noexcept {
   assert(work.bodies.size() == subsystem.bodies.size() && data.hub_acceleration);
+  if (work.by_mass) return recover_by_mass(subsystem, work, data);
   // (1) At the roots F = Lam^-1 (R_PB^T (T Y'' + b) - be).
   for (std::size_t k = 0; k < work.roots.size(); ++k) {
     const auto j = static_cast<std::size_t>(work.root_bodies[k]);
@@ -43,9 +44,9 @@ void recover_wrenches(const Subsystem<World>& subsystem, const SubsystemWork<Wor
   for (std::size_t j = 0; j < work.bodies.size(); ++j) recover_children(subsystem, j, work, data);
 }
 
-template void recover_wrenches(const Subsystem<Plane>&, const SubsystemWork<Plane>&,
+template void recover_wrenches(const Subsystem<Plane>&, SubsystemWork<Plane>&,
                                SubsystemData<Plane>&) noexcept;
-template void recover_wrenches(const Subsystem<Space>&, const SubsystemWork<Space>&,
+template void recover_wrenches(const Subsystem<Space>&, SubsystemWork<Space>&,
                                SubsystemData<Space>&) noexcept;
 
 }  // namespace spoke::structured

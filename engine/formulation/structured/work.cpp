@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "engine/formulation/structured.h"
+#include "engine/formulation/structured/tree_elimination.h"
 
 namespace spoke::structured {
 
@@ -12,6 +12,8 @@ void allocate(const SubsystemData<World>& data, SubsystemWork<World>& work) {
   work.bodies = ArenaVector<BodyWork<World>>(data.bodies.size(), arena);
   for (std::size_t j = 0; j < data.bodies.size(); ++j)
     if (data.bodies[j].model->parent < 0) work.root_bodies.push_back(static_cast<int>(j));
+  work.by_mass = has_rigid_bodies_alone(data);
+  for (BodyWork<World>& body : work.bodies) body.by_mass = work.by_mass;
   work.roots = ArenaVector<tree::RootElimination<World>>(work.root_bodies.size(), arena);
   std::size_t total = BodyTypes<World>::Layout::kPad;
   for (const BodyData<World>& body : data.bodies) total += count_condensed(*body.model->body);
