@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <stdexcept>
 #include <string_view>
@@ -43,8 +44,8 @@ std::vector<Marker> ask_markers(const Load& load) {
   try {
     return load.markers();
   } catch (...) {
-    throw LoadError(called(load) +
-                    " does not tell its markers: " + reason_of(std::current_exception()));
+    std::throw_with_nested(LoadError(
+        called(load) + " does not tell its markers: " + reason_of(std::current_exception())));
   }
 }
 
@@ -290,14 +291,15 @@ void evaluate_load(double t, const System<World>& system, const StepData<World>&
 }
 
 template <class World>
-std::string describe_failed_load(const StepData<World>& data, const std::vector<std::string>& names,
-                                 const std::string& at) {
+FailedLoad find_failed_load(const StepData<World>& data, const std::vector<std::string>& names,
+                            const std::string& at) {
   assert(data.is_any_load_failed());
   for (const SubsystemData<World>& subsystem : data.subsystems)
     for (const LoadData<World>& load : subsystem.loads)
       if (load.thrown)
-        return called(*load.load) + " of " + text_of(load.subsystems, names) + " failed " + at +
-               ": " + reason_of(load.thrown);
+        return {called(*load.load) + " of " + text_of(load.subsystems, names) + " failed " + at +
+                    ": " + reason_of(load.thrown),
+                load.thrown};
   return {};
 }
 
@@ -308,8 +310,8 @@ template LoadData<Plane>& find_load(int, StepData<Plane>&);
 template void require_same_markers(const std::shared_ptr<const Load>&, const LoadData<Plane>&);
 template void evaluate_load(double, const System<Plane>&, const StepData<Plane>&,
                             LoadData<Plane>&) noexcept;
-template std::string describe_failed_load(const StepData<Plane>&, const std::vector<std::string>&,
-                                          const std::string&);
+template FailedLoad find_failed_load(const StepData<Plane>&, const std::vector<std::string>&,
+                                     const std::string&);
 template void place_loads(const std::vector<AskedLoad>&, StepData<Space>&);
 template PlacedMarker<Space> place_marker(const std::string&, const Marker&,
                                           const StepData<Space>&);
@@ -317,7 +319,7 @@ template LoadData<Space>& find_load(int, StepData<Space>&);
 template void require_same_markers(const std::shared_ptr<const Load>&, const LoadData<Space>&);
 template void evaluate_load(double, const System<Space>&, const StepData<Space>&,
                             LoadData<Space>&) noexcept;
-template std::string describe_failed_load(const StepData<Space>&, const std::vector<std::string>&,
-                                          const std::string&);
+template FailedLoad find_failed_load(const StepData<Space>&, const std::vector<std::string>&,
+                                     const std::string&);
 
 }  // namespace spoke

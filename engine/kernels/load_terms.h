@@ -3,6 +3,7 @@
 // Loads of the user's in the table: where they act, their evaluation, and their share in the
 // bodies' equations of motion.
 
+#include <exception>
 #include <string>
 #include <vector>
 
@@ -42,11 +43,16 @@ template <class World>
 void evaluate_load(double t, const System<World>& system, const StepData<World>& data,
                    LoadData<World>& load) noexcept;
 
-/// Returns "the load NAME of blade 2 failed AT: REASON" for the first load that has thrown since,
-/// in the order of the subsystems; `at` says when, `names` what subsystems are called.
-/// Precondition: data.is_any_load_failed().
+/// A load that has thrown.
+struct FailedLoad {
+  std::string sentence;  ///< "the load NAME of blade 2 failed AT: REASON"
+  std::exception_ptr thrown;
+};
+
+/// Returns the first load that has thrown since, in the order of the subsystems; `at` says when,
+/// `names` what subsystems are called. Precondition: data.is_any_load_failed().
 template <class World>
-std::string describe_failed_load(const StepData<World>& data, const std::vector<std::string>& names,
-                                 const std::string& at);
+FailedLoad find_failed_load(const StepData<World>& data, const std::vector<std::string>& names,
+                            const std::string& at);
 
 }  // namespace spoke

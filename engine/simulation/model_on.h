@@ -160,10 +160,10 @@ class ModelOn final : public SimulatedModel {
   DivergenceError diagnose(const FailedStep& failed) const override {
     return spoke::diagnose(scenario_, *context_, own_.names(), failed);
   }
-  std::string describe_failed_load(const std::string& at) const override {
+  FailedLoad find_failed_load(const std::string& at) const override {
     std::vector<std::string> names;
     for (const SubsystemNames& own : own_.names()) names.push_back(own.name);
-    return spoke::describe_failed_load(data(), names, at);
+    return spoke::find_failed_load(data(), names, at);
   }
 
  private:

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/kernels/load_terms.h"
 #include "engine/load.h"
 #include "engine/loops_at_start.h"
 #include "engine/simulation/anchors.h"
@@ -120,9 +121,10 @@ class SimulatedModel {
   /// Returns the motion of an anchor's frame, or of the mount's (-1), see Simulation.
   virtual MarkerMotion carrier_frame(int anchor, double t) const = 0;
 
-  /// Makes the error of a failed step or load, see diagnose() and describe_failed_load().
+  /// Makes the error of a failed step, see diagnose().
   virtual DivergenceError diagnose(const FailedStep& failed) const = 0;
-  virtual std::string describe_failed_load(const std::string& at) const = 0;
+  /// Returns the load that has failed, see find_failed_load().
+  virtual FailedLoad find_failed_load(const std::string& at) const = 0;
 };
 
 }  // namespace spoke

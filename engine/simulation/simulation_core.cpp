@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <exception>
 #include <sstream>
 #include <utility>
 
@@ -387,9 +388,14 @@ void SimulationCore::throw_failure(StepOutcome outcome, std::int64_t step) {
   if (outcome == StepOutcome::load_failed) {
     std::ostringstream at;
     at << "at t = " << static_cast<double>(step) * step_size << " s, step " << step;
-    const std::string text = model->describe_failed_load(at.str());
-    SimulationLog::log_failure(scenario, text);
-    throw LoadError(text);
+    const FailedLoad failed = model->find_failed_load(at.str());
+    model->context().table().clear_load_failures();  // what was thrown is the caller's alone
+    SimulationLog::log_failure(scenario, failed.sentence);
+    try {
+      std::rethrow_exception(failed.thrown);
+    } catch (...) {
+      std::throw_with_nested(LoadError(failed.sentence));
+    }
   }
   const DivergenceError error =
       model->diagnose({outcome, static_cast<double>(step) * step_size, step, seen});

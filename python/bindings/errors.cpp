@@ -2,8 +2,12 @@
 
 #include <pybind11/stl.h>
 
+#include <exception>
+#include <string>
+
 #include "models/error.h"
 #include "python/bindings/bindings.h"
+#include "python/bindings/load_exception.h"
 
 namespace spoke::python {
 namespace {
@@ -35,6 +39,17 @@ py::object none_if_zero(int number) {
   return number == 0 ? py::object(py::none()) : py::int_(number);
 }
 
+/// Returns what a load in Python raised; None if it was another failure.
+py::object cause_of(const LoadError& error) {
+  try {
+    std::rethrow_if_nested(error);
+  } catch (const LoadException& cause) {
+    return cause.raised();
+  } catch (...) {  // of another kind: the sentence tells it
+  }
+  return py::none();
+}
+
 /// Raises an exception with the error's sentence.
 void raise(py::handle type, const Error& error, const py::dict& fields = {}) {
   const py::object raised = type(error.what());
@@ -57,7 +72,7 @@ void translate(std::exception_ptr thrown) {
                    "subsystem"_a = none_if_empty(at.subsystem), "body"_a = none_if_empty(at.body),
                    "node"_a = none_if_empty(at.node), "quantity"_a = none_if_empty(at.quantity)));
   } catch (const LoadError& error) {
-    raise(types.load, error);
+    raise(types.load, error, py::dict("__cause__"_a = cause_of(error)));
   } catch (const StateError& error) {
     raise(types.state, error);
   } catch (const Error& error) {
@@ -108,7 +123,9 @@ void bind_errors(py::module_& module) {
       "A load raised, or returned what the system cannot take. The simulation stands at the end of "
       "the step before, and can be stepped again.\n\n"
       "Attributes:\n"
-      "    result: the Result of the steps before, of Simulation.run(), else None.",
+      "    result: the Result of the steps before, of Simulation.run(), else None.\n"
+      "    __cause__: what the load raised, with its traceback; None if it returned what it must "
+      "not.",
       and_builtin(PyExc_RuntimeError), nones({"result"}));
   types.state = make_type(module, "StateError",
                           "A step failed, and what was asked for needs the state after it: restore "

@@ -14,6 +14,7 @@
 #include "engine/load.h"
 #include "models/scenario.h"
 #include "python/bindings/bindings.h"
+#include "python/bindings/load_exception.h"
 
 namespace spoke::python {
 namespace {
@@ -21,14 +22,6 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 using Numbers = py::array_t<double>;
-
-/// Shares a Python object that threads without the interpreter lock may drop.
-std::shared_ptr<const py::object> share(py::object object) {
-  return {new py::object(std::move(object)), [](const py::object* held) {
-            const py::gil_scoped_acquire lock;
-            delete held;
-          }};
-}
 
 /// Returns "ValueError: message (file.py, line 7)", with the place where it was raised.
 std::string describe(const py::error_already_set& error) {
@@ -42,23 +35,26 @@ std::string describe(const py::error_already_set& error) {
          py::str(trace.attr("tb_lineno")).cast<std::string>() + ')';
 }
 
-/// Calls `evaluate` with the interpreter lock; a Python exception leaves as its sentence, since it
-/// must not be touched without the lock.
+/// Returns the exception, which pybind11 keeps apart from its traceback.
+py::object with_traceback(const py::error_already_set& error) {
+  py::object raised = error.value();
+  if (error.trace()) PyException_SetTraceback(raised.ptr(), error.trace().ptr());
+  return raised;
+}
+
+/// Calls `evaluate` with the interpreter lock; a Python exception leaves as a LoadException, since
+/// it must not be touched without the lock.
 template <class Evaluate>
 void run_in_python(Evaluate&& evaluate) {
-  std::string raised;
-  {
-    const py::gil_scoped_acquire lock;
-    try {
-      return evaluate();
-    } catch (py::error_already_set& error) {
-      raised = describe(error);
-      if (error.matches(PyExc_KeyboardInterrupt)) PyErr_SetInterrupt();  // for Recording::run()
-    } catch (const py::builtin_exception& error) {
-      raised = error.what();
-    }
+  const py::gil_scoped_acquire lock;
+  try {
+    evaluate();
+  } catch (py::error_already_set& error) {
+    if (error.matches(PyExc_KeyboardInterrupt)) PyErr_SetInterrupt();  // for Recording::run()
+    throw LoadException(describe(error), with_traceback(error));
+  } catch (const py::builtin_exception& error) {
+    throw std::runtime_error(error.what());
   }
-  throw std::runtime_error(raised);
 }
 
 /// Wraps function(t, motions) -> [(force, moment), ...]

@@ -8,6 +8,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <exception>
 
 #include "engine/kernels/load_terms.h"
 #include "engine/step/step_graph_builder.h"
@@ -280,6 +281,15 @@ TEST_CASE("a load between blades that throws names them, and the simulation stan
   is_broken = true;
   const std::string message = message_of<LoadError>([&] { simulation.run_until(0.02); });
   CHECK(message == "the load \"rope\" of blades 1 and 2 failed at t = 0.011 s, step 11: it tore");
+  // What the load threw is nested in the error.
+  const std::string nested = message_of<std::runtime_error>([&] {
+    try {
+      simulation.step();
+    } catch (const LoadError& error) {
+      std::rethrow_if_nested(error);
+    }
+  });
+  CHECK(nested == "it tore");
   CHECK(simulation.steps() == 10);
   is_broken = false;
   simulation.run_until(0.02);

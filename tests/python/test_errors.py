@@ -1,9 +1,12 @@
 """Errors: one sentence, and fields that say the same."""
 
+import gc
 import os
 import pickle
 import subprocess
 import sys
+import traceback
+import weakref
 
 import pytest
 from conftest import ROTOR, SHORT
@@ -98,6 +101,9 @@ def test_what_a_load_raises_is_a_load_error_and_the_run_can_go_on():
     error = raised(spoke.LoadError, sim.run)
     assert "gust" in str(error) and "ValueError: the wind is too strong" in str(error)
     assert "test_errors.py, line" in str(error)
+    assert type(error.__cause__) is ValueError
+    assert str(error.__cause__) == "the wind is too strong"
+    assert traceback.extract_tb(error.__cause__.__traceback__)[-1].name == "gust"
     assert error.result.t[-1] == pytest.approx(0.2)
     armed = False
     sim.run()
@@ -111,7 +117,29 @@ def test_what_a_load_raises_is_a_load_error_and_the_run_can_go_on():
 def test_what_a_load_must_not_return(returned):
     error = raised(spoke.LoadError, lambda: spoke.Simulation(
         ROTOR, set=SHORT, loads=[failing_load(lambda t, motions: returned)]))
-    assert "gust" in str(error)
+    assert "gust" in str(error) and error.__cause__ is None
+
+
+def test_the_cause_of_a_load_error_is_the_exception_itself_in_all_threads_and_is_let_go():
+    class Gust(Exception):
+        pass
+
+    storms = []
+
+    def gust(t, motions):
+        if t < 0.1:
+            return [((0, 0, 0), (0, 0, 0))]
+        storm = Gust(t)
+        storms.append(weakref.ref(storm))
+        raise storm
+
+    for arguments in ({"executor": "serial"}, {"executor": "flow_graph", "threads": 2}):
+        sim = spoke.Simulation(ROTOR, set=SHORT, loads=[failing_load(gust)], **arguments)
+        error = raised(spoke.LoadError, sim.run)
+        assert isinstance(error.__cause__, Gust) and error.__cause__.args[0] >= 0.1
+        del error
+    gc.collect()
+    assert [storm() for storm in storms] == [None] * len(storms)
 
 
 @pytest.mark.parametrize("value", ["junk", "", "2,junk", "99999999"])
