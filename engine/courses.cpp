@@ -9,7 +9,6 @@
 #include <utility>
 #include <variant>
 
-#include "engine/simulation/jumps.h"
 #include "engine/simulation/simulation_core.h"
 #include "models/air/hub_wind.h"
 #include "models/error.h"
@@ -100,9 +99,53 @@ void with_loads(SimulationCore& core, std::string_view name, const Use& use) {
   use(loads);
 }
 
-space::DrivenMotion course_of(const JointCourse& joint) {
+/// Multiplies the loads of a name without evaluating what follows.
+void put_factor(SimulationCore& core, const std::string& name, double factor) {
+  with_loads(core, name, [factor](auto& loads) { loads.multiply(factor); });
+  core.load_factors[name] = factor;
+}
+
+JointPlace place_of(const JointCourse& joint) {
+  return {joint.tree, joint.joint, joint.coordinate};
+}
+
+space::DrivenMotion motion_of(const JointCourse& joint) {
+  if (joint.curve) return spatial::MotionTable{*joint.curve};
   return space::SaidMotion{joint.begin, joint.motion.value, joint.motion.velocity,
                            joint.motion.acceleration};
+}
+
+JointCourse course_of(const JointPlace& place, const space::DrivenMotion& motion) {
+  JointCourse course;
+  course.tree = place.subsystem;
+  course.joint = place.joint;
+  course.coordinate = place.coordinate;
+  if (const auto* table = std::get_if<spatial::MotionTable>(&motion)) {
+    course.curve = table->value;
+    return course;
+  }
+  const auto& said = std::get<space::SaidMotion>(motion);
+  course.begin = said.since;
+  course.motion = {said.value, said.rate, said.acceleration};
+  return course;
+}
+
+decltype(AnchorModel::motion) motion_of(const AnchorCourse& anchor) {
+  if (anchor.curves) return *anchor.curves;
+  return motion_since(anchor.begin, anchor.motion);
+}
+
+AnchorCourse course_of(const AnchorModel& anchor) {
+  AnchorCourse course;
+  course.anchor = anchor.name;
+  if (const auto* curves = std::get_if<spatial::MountMotion>(&anchor.motion)) {
+    course.curves = *curves;
+    return course;
+  }
+  const auto& said = std::get<SaidAnchorMotion>(anchor.motion);
+  course.begin = said.since;
+  course.motion = vectors_of<AnchorMotion>(said);
+  return course;
 }
 
 /// Returns the wind of a simulation. Throws InputError if no air acts on its model.
@@ -147,11 +190,19 @@ void require_courses(SimulationCore& core, const Courses& courses) {
         "hub.drive: the drive to go back to and the one in force do not both "
         "prescribe the rotation of the hub, expected two of one kind");
   for (const JointCourse& joint : courses.joints) {
-    core.joints("the motion of a joint").said_motion({joint.tree, joint.joint, joint.coordinate});
+    core.joints("the motion of a joint").said_motion(place_of(joint));
     const CoordinateMotion& motion = joint.motion;
     for (const double value : {joint.begin, motion.value, motion.velocity, motion.acceleration})
       if (!std::isfinite(value))
         throw InputError("the motion of a joint to go back to is not finite, expected numbers");
+  }
+  for (const AnchorCourse& anchor : courses.anchors) {
+    core.model->anchors().said(anchor.anchor);
+    const SaidAnchorMotion motion = motion_since(anchor.begin, anchor.motion);
+    if (!std::isfinite(motion.since) || !motion.value.allFinite() || !motion.rate.allFinite() ||
+        !motion.acceleration.allFinite())
+      throw InputError("the motion of " + describe_anchor(anchor.anchor) +
+                       " to go back to is not finite, expected numbers");
   }
   for (const LoadFactor& load : courses.loads)
     require_factor(core.scenario, load.load, load.factor);
@@ -186,6 +237,7 @@ void set_load_factor(Simulation& simulation, std::string_view load, double facto
       throw;
     }
   });
+  core.load_factors[std::string(load)] = factor;
 }
 
 void set_wind(Simulation& simulation, const WindCourse& course) {
@@ -215,21 +267,35 @@ std::optional<Eigen::Vector3d> find_mean_wind(const Scenario& scenario) {
   return make_wind(model.air->wind)->mean(hub);
 }
 
+Courses courses(const Simulation& simulation) {
+  SimulationCore& core = core_of(const_cast<Simulation&>(simulation));  // changes nothing
+  Courses found;
+  found.drive = core.model->drive();
+  if (SpatialJoints* joints = core.model->joints())
+    for (const JointPlace& place : joints->said())
+      found.joints.push_back(course_of(place, joints->said_motion(place)));
+  for (const AnchorModel* anchor : core.model->anchors().said())
+    found.anchors.push_back(course_of(*anchor));
+  for (const std::string& name : load_names(core.scenario)) {
+    const auto factor = core.load_factors.find(name);
+    found.loads.push_back({name, factor == core.load_factors.end() ? 1.0 : factor->second});
+  }
+  if (core.model->space() && core.model->space()->system.wind)
+    if (const auto* wind = dynamic_cast<const air::HubWind*>(wind_of(core).get()))
+      found.wind = wind->course();
+  return found;
+}
+
 void restore(Simulation& simulation, const SavedState& state, const Courses& courses) {
   SimulationCore& core = core_of(simulation);
   require_courses(core, courses);
   core.restore(state);  // changes nothing if it throws; nothing below does
-  core.model->drive() = courses.drive;
-  const double t = simulation.time();
-  replace_jumps(
-      kDriveSource, t,
-      find_drive_jumps(courses.drive, t, core.scenario.integration.duration, core.step_size),
-      core.jumps);
+  core.put_drive(courses.drive);
   for (const JointCourse& joint : courses.joints)
-    core.joints("the motion of a joint").said_motion({joint.tree, joint.joint, joint.coordinate}) =
-        course_of(joint);
-  for (const LoadFactor& load : courses.loads)
-    with_loads(core, load.load, [&](auto& loads) { loads.multiply(load.factor); });
+    core.put_joint_motion(place_of(joint), motion_of(joint));
+  for (const AnchorCourse& anchor : courses.anchors)
+    core.put_anchor_motion(anchor.anchor, motion_of(anchor));
+  for (const LoadFactor& load : courses.loads) put_factor(core, load.load, load.factor);
   if (core.model->space() && core.model->space()->system.wind) {
     std::shared_ptr<const WindField>& in_force = wind_of(core);
     in_force = courses.wind ? make_hub_wind(core, *courses.wind) : scenario_wind(in_force);

@@ -1,7 +1,7 @@
 #pragma once
 
 // What an embedding program sets between steps, beyond Simulation's own functions: factors of the
-// scenario's loads, the wind at the hub, and all that was set as a value, to go back with to a
+// scenario's loads, the wind at the hub, and all that is in force as a value, to go back with to a
 // saved state.
 
 #include <Eigen/Core>
@@ -24,22 +24,37 @@ struct LoadFactor {
   double factor = 1.0;  ///< multiplies what the scenario says, its own factor and ramp included
 };
 
-/// A motion of a joint's coordinate that Simulation::set_joint_motion() has set: from a time on it
-/// is value + velocity s + acceleration s^2/2, with s the time since.
+/// The motion of a joint's coordinate that the scenario leaves to the program: from a time on it is
+/// value + velocity s + acceleration s^2/2, with s the time since, as
+/// Simulation::set_joint_motion() sets it; or a curve, as Simulation::set_joint_course() does.
 struct JointCourse {
   int tree = 0;             ///< blade or subsystem, from 0, as of Simulation::joint_index()
   int joint = 0;            ///< as Simulation::joint_index() returns it
   int coordinate = 0;       ///< from 0
   double begin = 0.0;       ///< time from which it holds [s]
   CoordinateMotion motion;  ///< at that time
+  /// Over time [s], in place of `begin` and `motion`.
+  std::optional<Curve> curve{};
 };
 
-/// Courses that a program has set, in force beside a state.
+/// The motion of an anchor that the scenario leaves to the program, likewise: of translation and
+/// rotation vector, as Simulation::set_anchor_motion() or Simulation::set_anchor_course() sets it.
+struct AnchorCourse {
+  std::string anchor;   ///< its name
+  double begin = 0.0;   ///< time from which `motion` holds [s]
+  AnchorMotion motion;  ///< at that time
+  /// Over time [s], in place of `begin` and `motion`.
+  std::optional<spatial::MountMotion> curves{};
+};
+
+/// What is in force beside a state, and a program can set: a saved state has nothing of it. (Loads
+/// of the program's own, which Simulation::set_load() replaces, are not among it.)
 struct Courses {
-  Drive drive{};                      ///< of the hub
-  std::vector<JointCourse> joints{};  ///< of coordinates that the scenario leaves to the program
-  std::vector<LoadFactor> loads{};    ///< of loads with a name
-  std::optional<WindCourse> wind{};   ///< at the hub; none: the scenario's wind blows
+  Drive drive{};                        ///< of the hub
+  std::vector<JointCourse> joints{};    ///< of coordinates that the scenario leaves to the program
+  std::vector<LoadFactor> loads{};      ///< of loads with a name
+  std::optional<WindCourse> wind{};     ///< at the hub; none: the scenario's wind blows
+  std::vector<AnchorCourse> anchors{};  ///< of anchors that the scenario leaves to the program
 };
 
 /// Multiplies the loads of a name, point loads, distributed ones, drags and loads on the hub, by a
@@ -69,11 +84,17 @@ SPOKE_EXPORT Eigen::Vector3d wind_at_hub(const Simulation& simulation);
 /// acts on its model, or set_wind() would refuse it for its shear.
 SPOKE_EXPORT std::optional<Eigen::Vector3d> find_mean_wind(const Scenario& scenario);
 
+/// Returns all courses in force: the drive, each coordinate and each anchor that the scenario
+/// leaves to the program, the factor of each load with a name, the wind. Taken with
+/// Simulation::save(), they are what restore() goes back with.
+SPOKE_EXPORT Courses courses(const Simulation& simulation);
+
 /// Goes to a saved state as Simulation::restore() does, together with the courses that were in
-/// force when it was saved: these need not go on from those in force now. Coordinates and loads
-/// that `courses` does not name keep theirs. The following steps have the bits of the run that was
-/// saved. Throws InputError like restore(), or if a joint or load is not there, or if the drive is
-/// of another kind of motion than the one in force; the simulation then stays as it is.
+/// force when it was saved: these need not go on from those in force now. Coordinates, anchors and
+/// loads that `courses` does not name keep theirs. The following steps have the bits of the run
+/// that was saved. Throws InputError like restore(), or if a joint, anchor or load is not there, or
+/// if the drive is of another kind of motion than the one in force; the simulation then stays as it
+/// is.
 SPOKE_EXPORT void restore(Simulation& simulation, const SavedState& state, const Courses& courses);
 
 }  // namespace spoke

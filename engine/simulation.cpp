@@ -155,7 +155,7 @@ void Simulation::set_joint_motion(int tree, int joint, int coordinate,
       space::SaidMotion{time(), motion.value, motion.velocity, motion.acceleration});
 }
 
-void Simulation::set_joint_motion(int tree, int joint, int coordinate, const Curve& course) {
+void Simulation::set_joint_course(int tree, int joint, int coordinate, const Curve& course) {
   const double t = time();
   core_->set_joint_motion({tree, joint, coordinate},
                           {course.value(t), course.derivative(t), course.second_derivative(t)},
@@ -163,25 +163,15 @@ void Simulation::set_joint_motion(int tree, int joint, int coordinate, const Cur
 }
 
 AnchorMotion Simulation::anchor_motion(std::string_view anchor) const {
-  const SaidAnchorMotion motion = core_->model->anchors().motion(anchor, time());
-  AnchorMotion found;
-  found.translation = linear(motion.value);
-  found.velocity = linear(motion.rate);
-  found.acceleration = linear(motion.acceleration);
-  found.rotation = angular(motion.value);
-  found.rotation_rate = angular(motion.rate);
-  found.rotation_acceleration = angular(motion.acceleration);
-  return found;
+  return vectors_of<AnchorMotion>(core_->model->anchors().motion(anchor, time()));
 }
 
 void Simulation::set_anchor_motion(std::string_view anchor, const AnchorMotion& motion) {
-  const SaidAnchorMotion said{time(), space::make_twist(motion.translation, motion.rotation),
-                              space::make_twist(motion.velocity, motion.rotation_rate),
-                              space::make_twist(motion.acceleration, motion.rotation_acceleration)};
+  const SaidAnchorMotion said = motion_since(time(), motion);
   core_->set_anchor_motion(anchor, said, said);
 }
 
-void Simulation::set_anchor_motion(std::string_view anchor, const spatial::MountMotion& course) {
+void Simulation::set_anchor_course(std::string_view anchor, const spatial::MountMotion& course) {
   const double t = time();
   const AnchorModel model{std::string(anchor), Anchor::Frame::mount, false, course, {}};
   core_->set_anchor_motion(anchor, motion_of(model, t), course);

@@ -3,6 +3,7 @@
 // The main interface of the engine: makes a system from a scenario, steps it, reads sensors and
 // states.
 
+#include <concepts>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -238,8 +239,9 @@ class SPOKE_EXPORT Simulation {
   /// outer one, in space of the inner one.
   Wrench section_force(const Marker& marker) const;
 
-  // Changes between steps. They act from the next step on. The caller keeps them: no saved state
-  // contains them, and restore() leaves them as they are.
+  // Changes between steps. They act from the next step on. No saved state contains them, and
+  // restore() leaves them as they are: to go back with those that were in force, take courses() of
+  // engine/courses.h with save(), and give both to the restore() there.
 
   /// Returns the drive in force.
   const Drive& drive() const;
@@ -263,7 +265,12 @@ class SPOKE_EXPORT Simulation {
   /// Replaces the motion by a function of time: `course` over time [s], which must go on from
   /// joint_motion() in value and velocity; a constant stretch before time() lets it start from
   /// rest.
-  void set_joint_motion(int tree, int joint, int coordinate, const Curve& course);
+  void set_joint_course(int tree, int joint, int coordinate, const Curve& course);
+  /// Does the same. It is a template so that {} means a CoordinateMotion.
+  template <std::convertible_to<Curve> Course>
+  void set_joint_motion(int tree, int joint, int coordinate, const Course& course) {
+    set_joint_course(tree, joint, coordinate, course);
+  }
   /// Returns the motion at time() of an anchor, prescribed by the scenario or the program; if it
   /// turns with the hub, without that rotation. Throws InputError, with the nearest name, if there
   /// is none of that name.
@@ -276,7 +283,12 @@ class SPOKE_EXPORT Simulation {
   void set_anchor_motion(std::string_view anchor, const AnchorMotion& motion);
   /// Replaces the motion by functions of time [s], which must go on from anchor_motion() in value
   /// and rate; constant stretches before time() let them start from rest.
-  void set_anchor_motion(std::string_view anchor, const spatial::MountMotion& course);
+  void set_anchor_course(std::string_view anchor, const spatial::MountMotion& course);
+  /// Does the same. It is a template so that {} means an AnchorMotion.
+  template <std::convertible_to<spatial::MountMotion> Course>
+  void set_anchor_motion(std::string_view anchor, const Course& course) {
+    set_anchor_course(anchor, course);
+  }
   /// Replaces load number `index` of those given to the constructor by one with the same markers.
   /// To change parameters of a load of your own, change them and set the load again. Throws like
   /// set_drive().

@@ -21,7 +21,7 @@ VectorMotion follow_said(const SaidAnchorMotion& said, double t, int first) {
 
 /// Returns the motion of an anchor in H or A, in their axes, but for its turning with the hub.
 FrameCourse calc_anchor_course(const AnchorModel& anchor, double t) {
-  AnchorCourse course = spoke::follow(anchor, t);
+  AnchorVectors course = spoke::follow(anchor, t);
   for (VectorMotion* motion : {&course.translation, &course.rotation})
     *motion = {anchor.to_axis * motion->value, anchor.to_axis * motion->rate,
                anchor.to_axis * motion->acceleration};
@@ -89,7 +89,7 @@ CarriedPlace calc_on_mount(const MountFrame& mount, const AnchorModel* anchor,
 }  // namespace
 }  // namespace space
 
-AnchorCourse follow(const AnchorModel& anchor, double t) {
+AnchorVectors follow(const AnchorModel& anchor, double t) {
   if (const auto* motion = std::get_if<spatial::MountMotion>(&anchor.motion))
     return {space::follow(motion->translation, t), space::follow(motion->rotation, t)};
   const auto& said = std::get<SaidAnchorMotion>(anchor.motion);

@@ -10,13 +10,13 @@ namespace spoke {
 
 /// The motion of an anchor against H or A, in the axes of its description, but for its turning with
 /// the hub.
-struct AnchorCourse {
+struct AnchorVectors {
   space::VectorMotion translation;  ///< [m]
   space::VectorMotion rotation;     ///< rotation vector [rad]
 };
 
 /// Returns the motion of an anchor at time t [s].
-AnchorCourse follow(const AnchorModel& anchor, double t);
+AnchorVectors follow(const AnchorModel& anchor, double t);
 
 /// The motion of the frame A in which the axle turns, as H sees it: A is H at the angle 0. What
 /// stands still where the hub has no axle.

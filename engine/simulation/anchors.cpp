@@ -64,7 +64,7 @@ SaidAnchorMotion Anchors::motion(std::string_view name, double t) const {
 }
 
 SaidAnchorMotion motion_of(const AnchorModel& anchor, double t) {
-  const AnchorCourse course = follow(anchor, t);
+  const AnchorVectors course = follow(anchor, t);
   return {t, join(course.translation.value, course.rotation.value),
           join(course.translation.rate, course.rotation.rate),
           join(course.translation.acceleration, course.rotation.acceleration)};
@@ -77,6 +77,14 @@ AnchorModel& Anchors::said(std::string_view name) const {
     throw InputError(describe_anchor(name) +
                      " follows the scenario, expected motion = { by = \"program\" }");
   return models_[number];
+}
+
+std::vector<const AnchorModel*> Anchors::said() const {
+  std::vector<const AnchorModel*> found;
+  for (std::size_t k = 0; k < models_.size(); ++k)
+    if (std::holds_alternative<ProgramAnchorMotion>(described()[k].motion))
+      found.push_back(&models_[k]);
+  return found;
 }
 
 void Anchors::check_continuation(std::string_view name, const SaidAnchorMotion& begin,

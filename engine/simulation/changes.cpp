@@ -20,16 +20,10 @@ void SimulationCore::set_joint_motion(const JointPlace& place, const space::Pres
   SpatialJoints& all = joints("the motion of a joint");
   require_state("go on from with another motion of a joint");
   space::DrivenMotion& in_force = all.said_motion(place);
-  const double t = static_cast<double>(runner->steps()) * step_size;
-  all.check_continuation(place, begin, t);
+  all.check_continuation(place, begin, now());
   replace(in_force, course);
-  const std::string name = all.describe(place);
-  std::vector<Jump> next;
-  if (const auto* table = std::get_if<spatial::MotionTable>(&course)) {
-    const double end = scenario.integration.duration;
-    next = find_course_jumps(table->value, name, all.unit(place), t, end, step_size);
-  }
-  set_jumps(name, std::move(next));
+  replace_jumps_of(place, course);
+  log_jumps();
 }
 
 void SimulationCore::set_anchor_motion(std::string_view name, const SaidAnchorMotion& begin,
@@ -37,24 +31,59 @@ void SimulationCore::set_anchor_motion(std::string_view name, const SaidAnchorMo
   const Anchors anchors = model->anchors();
   AnchorModel& anchor = anchors.said(name);
   require_state("go on from with another motion of an anchor");
-  const double t = static_cast<double>(runner->steps()) * step_size;
-  anchors.check_continuation(name, begin, t);
+  anchors.check_continuation(name, begin, now());
   replace(anchor.motion, course);
-  std::vector<Jump> next;
-  if (const auto* motion = std::get_if<spatial::MountMotion>(&course))
-    next = find_anchor_jumps(name, *motion, t, scenario.integration.duration, step_size);
-  set_jumps(describe_anchor(name), std::move(next));
+  replace_jumps_of(name, course);
+  log_jumps();
 }
 
 void SimulationCore::set_drive(const Drive& next) {
-  const double t = static_cast<double>(runner->steps()) * step_size;
   replace(model->drive(), next);
-  set_jumps(kDriveSource, find_drive_jumps(next, t, scenario.integration.duration, step_size));
+  replace_jumps_of(next);
+  log_jumps();
 }
 
-void SimulationCore::set_jumps(const std::string& source, std::vector<Jump> next) {
-  const double t = static_cast<double>(runner->steps()) * step_size;
-  replace_jumps(source, t, std::move(next), jumps);
+void SimulationCore::put_joint_motion(const JointPlace& place, const space::DrivenMotion& course) {
+  joints("the motion of a joint").said_motion(place) = course;
+  replace_jumps_of(place, course);
+}
+
+void SimulationCore::put_anchor_motion(std::string_view name,
+                                       const decltype(AnchorModel::motion)& course) {
+  model->anchors().said(name).motion = course;
+  replace_jumps_of(name, course);
+}
+
+void SimulationCore::put_drive(const Drive& next) {
+  model->drive() = next;
+  replace_jumps_of(next);
+}
+
+void SimulationCore::replace_jumps_of(const JointPlace& place, const space::DrivenMotion& course) {
+  const SpatialJoints& all = joints("the motion of a joint");
+  const std::string name = all.describe(place);
+  std::vector<Jump> next;
+  if (const auto* table = std::get_if<spatial::MotionTable>(&course)) {
+    const double end = scenario.integration.duration;
+    next = find_course_jumps(table->value, name, all.unit(place), now(), end, step_size);
+  }
+  replace_jumps(name, now(), std::move(next), jumps);
+}
+
+void SimulationCore::replace_jumps_of(std::string_view anchor,
+                                      const decltype(AnchorModel::motion)& course) {
+  std::vector<Jump> next;
+  if (const auto* motion = std::get_if<spatial::MountMotion>(&course))
+    next = find_anchor_jumps(anchor, *motion, now(), scenario.integration.duration, step_size);
+  replace_jumps(describe_anchor(anchor), now(), std::move(next), jumps);
+}
+
+void SimulationCore::replace_jumps_of(const Drive& drive) {
+  const double end = scenario.integration.duration;
+  replace_jumps(kDriveSource, now(), find_drive_jumps(drive, now(), end, step_size), jumps);
+}
+
+void SimulationCore::log_jumps() {
   if (!jumps.empty()) log.log_warnings(scenario, seen, make_warnings());
 }
 

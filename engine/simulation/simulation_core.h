@@ -3,6 +3,7 @@
 // Implementation of Simulation: its data, and how its steps are made, saved and restored.
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -76,6 +77,11 @@ class SimulationCore {
                          const decltype(AnchorModel::motion)& course);
   /// Replaces the drive.
   void set_drive(const Drive& next);
+  // These put courses in force beside a state that was restored: they need not go on from those in
+  // force, and nothing is evaluated.
+  void put_joint_motion(const JointPlace& place, const space::DrivenMotion& course);
+  void put_anchor_motion(std::string_view name, const decltype(AnchorModel::motion)& course);
+  void put_drive(const Drive& next);
   /// Returns the joints of a model in space. Throws InputError, which refuses `what`, if the model
   /// is in the plane.
   SpatialJoints& joints(const char* what) const;
@@ -96,7 +102,8 @@ class SimulationCore {
   WorkDone work;
   Observations seen;
   std::vector<Jump> jumps;  ///< of motions that scenario and program prescribe, in order of time
-  double energy_resolution = 0.0;  ///< [J]
+  std::map<std::string, double> load_factors;  ///< that the program has set, by name of the loads
+  double energy_resolution = 0.0;              ///< [J]
   SimulationLog log;
   /// Sensor values, measured when first read after a step.
   std::vector<double> sensor_values;
@@ -113,7 +120,12 @@ class SimulationCore {
   void put(std::span<const double> values, std::int64_t steps);
   void require_shareable(const Loads& loads) const;
   void sample(std::int64_t step);
-  void set_jumps(const std::string& source, std::vector<Jump> next);
+  /// Returns the present time [s].
+  double now() const { return static_cast<double>(runner->steps()) * step_size; }
+  void replace_jumps_of(const JointPlace& place, const space::DrivenMotion& course);
+  void replace_jumps_of(std::string_view anchor, const decltype(AnchorModel::motion)& course);
+  void replace_jumps_of(const Drive& drive);
+  void log_jumps();
   void evaluate_again();
   void require_kept_declarations();
   const std::shared_ptr<const std::string>& identity();

@@ -98,6 +98,20 @@ space::DrivenMotion& SpatialJoints::said_motion(const JointPlace& place) {
       .joint.course.driven[driven];
 }
 
+std::vector<JointPlace> SpatialJoints::said() const {
+  std::vector<JointPlace> found;
+  for (std::size_t i = 0; i < trees_.size(); ++i)
+    for (std::size_t j = 0; j < trees_[i].bodies.size(); ++j) {
+      const spatial::Joint& joint = trees_[i].bodies[j].joint;
+      for (int c = 0; c < count_coordinates(joint.kind); ++c) {
+        const auto& motion = joint.coordinates[static_cast<std::size_t>(c)].motion;
+        if (motion && std::holds_alternative<spatial::ProgramMotion>(*motion))
+          found.push_back({static_cast<int>(i), static_cast<int>(j), c});
+      }
+    }
+  return found;
+}
+
 void SpatialJoints::check_continuation(const JointPlace& place,
                                        const space::PrescribedMotion& begin, double t) {
   const space::PrescribedMotion old = motion(place, t);

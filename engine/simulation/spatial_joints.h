@@ -39,6 +39,8 @@ class SpatialJoints {
   space::PrescribedMotion motion(const JointPlace& place, double t);
   /// Returns the course of a coordinate whose motion the program prescribes.
   space::DrivenMotion& said_motion(const JointPlace& place);
+  /// Returns all coordinates whose motion the program prescribes.
+  std::vector<JointPlace> said() const;
   /// Throws InputError unless a motion that begins with `begin` is finite and goes on from where
   /// the coordinate is at time t [s].
   void check_continuation(const JointPlace& place, const space::PrescribedMotion& begin, double t);

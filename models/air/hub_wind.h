@@ -29,6 +29,7 @@ class HubWind final : public WindField {
   /// Returns a wind with another course at the same hub.
   std::shared_ptr<const WindField> with(const WindCourse& course) const;
   const std::shared_ptr<const WindField>& replaced() const { return replaced_; }
+  const WindCourse& course() const { return course_; }
 
  private:
   double profile(const Eigen::Vector3d& place, double t) const;

@@ -14,6 +14,8 @@ void bind_drives(pybind11::module_& module);
 void bind_loads(pybind11::module_& module);
 /// Binds Scenario.
 void bind_scenario(pybind11::module_& module);
+/// Binds Courses.
+void bind_courses(pybind11::module_& module);
 /// Binds Simulation, SavedState, and queries of a simulation.
 void bind_simulation(pybind11::module_& module);
 /// Binds Recording, the results of a run.

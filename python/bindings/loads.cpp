@@ -50,8 +50,10 @@ void run_in_python(Evaluate&& evaluate) {
   try {
     evaluate();
   } catch (py::error_already_set& error) {
-    if (error.matches(PyExc_KeyboardInterrupt)) PyErr_SetInterrupt();  // for Recording::run()
-    throw LoadException(describe(error), with_traceback(error));
+    const LoadException exception(describe(error), with_traceback(error));
+    // For Recording::run(). From here on, what runs in Python is interrupted.
+    if (error.matches(PyExc_KeyboardInterrupt)) PyErr_SetInterrupt();
+    throw exception;
   } catch (const py::builtin_exception& error) {
     throw std::runtime_error(error.what());
   }

@@ -10,6 +10,7 @@ PYBIND11_MODULE(_spoke, module) {
   spoke::python::bind_loads(module);
   spoke::python::bind_scenario(module);
   spoke::python::bind_simulation(module);
+  spoke::python::bind_courses(module);
   spoke::python::bind_recording(module);
   spoke::python::bind_trace(module);
   spoke::python::bind_reduce(module);

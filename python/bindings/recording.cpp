@@ -117,6 +117,11 @@ void Recording::finish() {
   numbers_.shrink_to_fit();
 }
 
+void Recording::keep_end() {
+  last_ = simulation_->save();
+  last_courses_ = courses(*simulation_);
+}
+
 void Recording::run(double until) {
   if (std::isnan(until)) throw InputError("until is not a number, expected a time [s]");
   const Use use(*simulation_);
@@ -136,14 +141,14 @@ void Recording::run(double until) {
     } catch (const LoadError&) {
       outcome_.wall_time = took();
       finish();
-      last_ = simulation_->save();
+      keep_end();
       const py::gil_scoped_acquire lock;
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();  // for Ctrl-C within the load
       throw;
     }
     outcome_.wall_time = took();
     finish();
-    last_ = simulation_->save();
+    keep_end();
   }
   watch.rethrow();
 }
@@ -159,9 +164,10 @@ std::string Recording::at_last_step(Make&& make) {
     return make();
   }
   const SavedState present = simulation_->save();
-  simulation_->restore(*last_);
+  const Courses present_courses = courses(*simulation_);
+  restore(*simulation_, *last_, last_courses_);
   const std::string text = make();
-  simulation_->restore(present);
+  restore(*simulation_, present, present_courses);
   return text;
 }
 

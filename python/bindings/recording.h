@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/courses.h"
 #include "engine/results.h"
 #include "engine/run_statistics.h"
 #include "program/run_report/picture_steps.h"
@@ -60,6 +61,7 @@ class Recording {
   void step_to(double until, const bool& is_stopped, const Observe& observe);
   void step_to(double until, SignalWatch& watch);
   void finish();
+  void keep_end();
   template <class Make>
   std::string at_last_step(Make&& make);
 
@@ -72,6 +74,7 @@ class Recording {
   std::optional<run_report::Recorder> recorder_;  ///< data of the page
   RunOutcome outcome_;
   std::optional<SavedState> last_;  ///< state at its end; none after a step that failed
+  Courses last_courses_;            ///< in force then
   std::int64_t last_step_ = 0;
 };
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "engine/checkpoint.h"
+#include "engine/courses.h"
 #include "models/error.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/queries.h"
@@ -52,6 +53,15 @@ std::shared_ptr<UsedSimulation> make_simulation(const Scenario& scenario,
   const Scenario blown = in_wind(scenario, std::move(wind));
   const py::gil_scoped_release unlocked;  // since loads and winds in Python are evaluated
   return std::make_shared<UsedSimulation>(blown, options, all);
+}
+
+void go_back(UsedSimulation& simulation, const SavedState& state, const Courses* courses) {
+  const Use use(simulation);
+  const py::gil_scoped_release unlocked;
+  if (courses)
+    restore(simulation, state, *courses);
+  else
+    simulation.restore(state);
 }
 
 void bind_saved_state(py::module_& module) {
@@ -106,7 +116,7 @@ void bind_anchors(Class& simulation) {
            "The motion at `time` of an anchor of closed loops. Raises InputError, with the nearest "
            "name, if there is none.")
       .def("set_anchor_motion",
-           alone(py::overload_cast<std::string_view, const AnchorMotion&>(
+           alone(static_cast<void (Simulation::*)(std::string_view, const AnchorMotion&)>(
                &Simulation::set_anchor_motion)),
            "name"_a, "motion"_a,
            "Moves an anchor that the scenario leaves to the program from the next step on: "
@@ -117,7 +127,7 @@ void bind_anchors(Class& simulation) {
              const std::array<Curve, 3>& rotation) {
             const Use use(s);
             const py::gil_scoped_release unlocked;
-            s.set_anchor_motion(
+            s.set_anchor_course(
                 name, {spatial::VectorTable{translation}, spatial::VectorTable{rotation}});
           },
           "name"_a, "translation"_a, "rotation"_a,
@@ -146,14 +156,13 @@ void bind_joints(Class& simulation) {
            "coordinate"_a = 0,
            "The motion at `time` of a coordinate of a joint that is prescribed.")
       .def("set_joint_motion",
-           alone(py::overload_cast<int, int, int, const CoordinateMotion&>(
+           alone(static_cast<void (Simulation::*)(int, int, int, const CoordinateMotion&)>(
                &Simulation::set_joint_motion)),
            "tree"_a, "joint"_a, "coordinate"_a, "motion"_a,
            "Moves a coordinate that the scenario leaves to the program from the next step on: the "
            "acceleration stays as it is given. It must go on from where it is, with its rate.")
-      .def("set_joint_course",
-           alone(py::overload_cast<int, int, int, const Curve&>(&Simulation::set_joint_motion)),
-           "tree"_a, "joint"_a, "coordinate"_a, "course"_a, "Moves it by a curve over time [s].");
+      .def("set_joint_course", alone(&Simulation::set_joint_course), "tree"_a, "joint"_a,
+           "coordinate"_a, "course"_a, "Moves it by a curve over time [s].");
 }
 
 void bind_steps(Class& simulation) {
@@ -162,15 +171,26 @@ void bind_steps(Class& simulation) {
            "Makes one time step. Raises DivergenceError, after which a saved state has to be "
            "restored, and LoadError.")
       .def("save", alone(&Simulation::save), "The state, a value: see restore().")
-      .def("restore", alone(&Simulation::restore), "state"_a,
+      .def("restore", &go_back, "state"_a, "courses"_a = py::none(),
            "Goes back, or on, to a state of any simulation of the same model, formulation and step "
-           "size: what follows has the bits of the run that was saved. Raises InputError if the "
-           "state is of another model.")
+           "size. With the courses() that were in force when it was saved, what follows has the "
+           "bits of the run that was saved; without, it goes on with those in force now. Raises "
+           "InputError if the state is of another model.")
       .def_property_readonly(
           "drive", [](const UsedSimulation& s) { return Drive(s.drive()); }, "What moves the hub.")
       .def("set_drive", alone(&Simulation::set_drive), "drive"_a,
            "Replaces what moves the hub from the next step on. A new drive must go on from the "
            "hub's angle and speed, and prescribe the rotation if and only if the present one does.")
+      .def(
+          "set_load_factor",
+          [](UsedSimulation& s, const std::string& load, double factor) {
+            const Use use(s);
+            const py::gil_scoped_release unlocked;
+            set_load_factor(s, load, factor);
+          },
+          "load"_a, "factor"_a,
+          "Multiplies the scenario's loads of a name by a factor from the next step on; 1 is what "
+          "the scenario says.")
       .def(
           "set_load",
           [](UsedSimulation& s, int index, std::shared_ptr<Load> load) {

@@ -96,6 +96,26 @@ Simulation make(const std::string& text, const Overrides& overrides = {}) {
   return Simulation(parse_scenario(text, "courses.toml", overrides), kSerial);
 }
 
+/// A rotor in space, whose blades the program pitches, with a load.
+Simulation make_pitched(const std::string& hub = kDrivenHub) {
+  const std::string pitch = R"(
+[[blade.joint]]
+name = "pitch"
+station = 1.0
+kind = "revolute"
+axis = [1.0, 0.0, 0.0]
+motion = { by = "program", initial = 0.1 }
+)";
+  return make("world = \"space\"\n" + hub + kBooms + pitch + R"(
+[[load]]
+name = "push"
+force = [0.0, 1.0, 2.0]
+[integration]
+step = 0.005
+duration = 2.0
+)");
+}
+
 }  // namespace
 
 TEST_CASE("a factor of loads that the program sets is that of the scenario") {
@@ -149,29 +169,14 @@ TEST_CASE("loads are refused that the scenario does not name") {
 }
 
 TEST_CASE("a simulation goes back to a state with the courses that were in force there") {
-  const std::string pitch = R"(
-[[blade.joint]]
-name = "pitch"
-station = 1.0
-kind = "revolute"
-axis = [1.0, 0.0, 0.0]
-motion = { by = "program", initial = 0.1 }
-)";
-  Simulation simulation = make("world = \"space\"\n" + kDrivenHub + kBooms + pitch + R"(
-[[load]]
-name = "push"
-force = [0.0, 1.0, 2.0]
-[integration]
-step = 0.005
-duration = 2.0
-)");
+  Simulation simulation = make_pitched();
   const int joint = simulation.joint_index(0, "pitch");
   const CoordinateMotion up{0.1, 0.0, 0.5};
   simulation.run_until(0.1);
   simulation.set_joint_motion(0, joint, 0, up);
   set_load_factor(simulation, "push", 2.0);
   simulation.run_until(0.2);
-  const Courses courses{simulation.drive(), {{0, joint, 0, 0.1, up}}, {{"push", 2.0}}};
+  const Courses courses{simulation.drive(), {{0, joint, 0, 0.1, up, {}}}, {{"push", 2.0}}};
   const SavedState state = simulation.save();
   simulation.run_until(0.4);
   const std::uint64_t expected = simulation.state_hash();
@@ -197,4 +202,61 @@ duration = 2.0
   other.joints[0].joint = 7;
   CHECK(contains(message_of([&] { restore(simulation, state, other); }), "joint"));
   CHECK(simulation.state_hash() == expected);
+}
+
+TEST_CASE("the courses in force are those that the program has set, and those that it has not") {
+  Simulation simulation = make_pitched();
+  const int joint = simulation.joint_index(0, "pitch");
+  Courses found = courses(simulation);
+  REQUIRE(found.joints.size() == 2);  // a pitch joint on each blade
+  for (const int blade : {0, 1}) {
+    const JointCourse& own = found.joints[static_cast<std::size_t>(blade)];
+    CHECK(own.tree == blade);
+    CHECK(own.joint == joint);
+    CHECK(own.motion.value == 0.1);
+    CHECK(!own.curve);
+  }
+  REQUIRE(found.loads.size() == 1);
+  CHECK(found.loads[0].load == "push");
+  CHECK(found.loads[0].factor == 1.0);
+  CHECK(found.anchors.empty());
+  CHECK(!found.wind);
+  simulation.run_until(0.1);
+  simulation.set_joint_motion(0, joint, 0, {0.1, 0.0, 0.5});
+  simulation.set_joint_course(1, joint, 0, Curve({0.0, 0.1, 1.0}, {0.1, 0.1, 0.2}));
+  set_load_factor(simulation, "push", 2.0);
+  found = courses(simulation);
+  CHECK(found.joints[0].begin == doctest::Approx(0.1));
+  CHECK(found.joints[0].motion.acceleration == 0.5);
+  REQUIRE(found.joints[1].curve);
+  CHECK(found.joints[1].curve->value(1.0) == 0.2);
+  CHECK(found.loads[0].factor == 2.0);
+}
+
+TEST_CASE("with the courses in force a state is gone on from to the same bits, whatever was set") {
+  Simulation simulation = make_pitched(kTurnedHub);
+  const int joint = simulation.joint_index(0, "pitch");
+  const SavedState start = simulation.save();
+  const Courses at_start = courses(simulation);
+  const auto go_on = [&](double t) {
+    simulation.run_until(t);
+    return simulation.state_hash();
+  };
+  const std::uint64_t plain = go_on(0.2);
+  simulation.set_drive(TorqueDrive{Curve(-2.0), 4.0});
+  simulation.set_joint_course(0, joint, 0, Curve({0.0, 0.2, 0.5, 0.5001}, {0.1, 0.1, 0.3, 0.5}));
+  set_load_factor(simulation, "push", -1.0);
+  const std::size_t warnings = simulation.warnings().size();
+  const SavedState state = simulation.save();
+  const Courses in_force = courses(simulation);
+  const std::uint64_t driven = go_on(0.4);
+  // The state alone goes on with what is in force now.
+  simulation.restore(start);
+  CHECK(go_on(0.2) != plain);
+  restore(simulation, start, at_start);
+  CHECK(simulation.warnings().size() < warnings);  // of the curve that jumps
+  CHECK(go_on(0.2) == plain);
+  restore(simulation, state, in_force);
+  CHECK(simulation.warnings().size() == warnings);
+  CHECK(go_on(0.4) == driven);
 }

@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "engine/courses.h"
 #include "engine/simulation.h"
 #include "models/error.h"
 #include "tests/engine/loop_models.h"
@@ -76,6 +77,55 @@ TEST_CASE("an anchor follows functions of time that the program sets as those of
   Simulation expected(scenario, kOneThread);
   expected.run_until(0.4);
   CHECK(simulation.state_hash() == expected.state_hash());
+}
+
+TEST_CASE("the courses in force have the motions of anchors that the program moves") {
+  Scenario scenario = make_pitching(kTurning);
+  scenario.integration.step = 1e-3;
+  Simulation simulation(scenario, kOneThread);
+  const Courses at_start = courses(simulation);
+  REQUIRE(at_start.anchors.size() == 1);
+  CHECK(at_start.anchors[0].anchor == "plate");
+  CHECK(!at_start.anchors[0].curves);
+  const SavedState start = simulation.save();
+  AnchorMotion up = simulation.anchor_motion("plate");
+  up.acceleration.z() = 0.5;
+  simulation.set_anchor_motion("plate", up);
+  simulation.run_until(0.05);
+  const SavedState rising = simulation.save();
+  const Courses while_rising = courses(simulation);
+  CHECK(while_rising.anchors[0].motion.acceleration.z() == 0.5);
+  simulation.run_until(0.1);
+  const std::uint64_t expected = simulation.state_hash();
+  // It stops by a curve, from the place and the rate that it has.
+  const double z = simulation.anchor_motion("plate").translation.z();
+  CHECK(z == doctest::Approx(0.5 * 0.5 * 0.1 * 0.1).epsilon(1e-9));
+  restore(simulation, start, at_start);
+  spatial::MountMotion course;
+  course.translation =
+      spatial::VectorTable{{Curve{0.0}, Curve{0.0}, Curve({0.0, 0.1, 0.2}, {0.0, 0.0, 0.02})}};
+  course.rotation = spatial::VectorTable{{Curve{0.0}, Curve{0.0}, Curve{0.0}}};
+  simulation.set_anchor_course("plate", course);
+  const Courses by_curve = courses(simulation);
+  REQUIRE(by_curve.anchors[0].curves);
+  simulation.run_until(0.15);
+  const std::uint64_t curved = simulation.state_hash();
+  restore(simulation, rising, while_rising);
+  simulation.run_until(0.1);
+  CHECK(simulation.state_hash() == expected);
+  restore(simulation, start, by_curve);
+  simulation.run_until(0.15);
+  CHECK(simulation.state_hash() == curved);
+  Courses lost = by_curve;
+  lost.anchors[0].anchor = "plates";
+  CHECK(message_of([&] { restore(simulation, start, lost); }) ==
+        "no anchor is named \"plates\", did you mean \"plate\"?");
+}
+
+TEST_CASE("empty braces are the motion of an anchor at rest, not its course") {
+  Simulation simulation(make_pitching(kFixed), kOneThread);
+  simulation.set_anchor_motion("plate", {});
+  CHECK(simulation.anchor_motion("plate").acceleration.isZero(0.0));
 }
 
 TEST_CASE("a motion of an anchor that is not the program's, or jumps, is refused") {

@@ -206,6 +206,16 @@ TEST_CASE("the program moves a joint step by step, as a controller does, and the
         2e-3 * simulation.sensor("energy.kinetic"));
 }
 
+TEST_CASE("empty braces are a motion of a joint, not its course") {
+  Simulation simulation = make_pitching(kProgramPitch, IntegrationMethod::rk4, 1);
+  const int pitch = simulation.joint_index(0, "pitch");
+  const std::string message = message_of([&] { simulation.set_joint_motion(0, pitch, 0, {}); });
+  CHECK(message.find("it begins at 0 with the rate 0 and acceleration 0, expected 0.1") !=
+        std::string::npos);
+  simulation.set_joint_motion(0, pitch, 0, 0.1);  // a number is a course that stays there
+  CHECK(simulation.joint_motion(0, pitch).value == 0.1);
+}
+
 TEST_CASE(
     "a motion of a joint that is not the program's, or jumps, is refused and changes nothing") {
   Simulation simulation = make_pitching(kHinges + kProgramPitch, IntegrationMethod::rk4, 1);
