@@ -22,6 +22,7 @@ from ._spoke import (
     Campbell,
     ConstantSpeed,
     CoordinateMotion,
+    Courses,
     Critical,
     Curve,
     DivergenceError,
@@ -57,18 +58,19 @@ from ._spoke import (
     Trace,
     Wrench,
     __version__,
+    courses,
     markers_at,
 )
 from ._steady import campbell, critical, equilibrium, modes, performance
 
 __all__ = [
     "AnchorMotion", "BladeEquilibrium", "BladeShape", "BodyState", "Campbell", "ConstantSpeed", "CoordinateMotion",
-    "Critical", "Curve", "DivergenceError", "Equilibrium", "Error", "FixedDrive", "FreeDrive", "HubMotion",
+    "Courses", "Critical", "Curve", "DivergenceError", "Equilibrium", "Error", "FixedDrive", "FreeDrive", "HubMotion",
     "InputError", "InternalError", "JointPosition", "Load", "LoadError", "LoopLoad", "Marker",
     "MarkerMotion",
     "MarkerMotions", "MarkerState", "Mode", "Modes", "Performance", "Result", "RotorAir", "SavedState", "Scenario",
     "SectionLoad", "Simulation", "SolidReduction", "SpeedTable", "SpinUp", "SpinUpHoldSpinDown", "StateError",
-    "TorqueBySpeed", "TorqueDrive", "Trace", "Wrench", "__version__", "campbell", "critical",
+    "TorqueBySpeed", "TorqueDrive", "Trace", "Wrench", "__version__", "campbell", "courses", "critical",
     "equilibrium",
     "markers_at", "model", "modes", "performance", "read_scenario", "reduce",
 ]
@@ -76,8 +78,10 @@ __all__ = [
 
 def _finish():
     """Everything public is called spoke.NAME, and what has a page shows it in notebooks."""
+    from ._arguments import check_arguments
     from ._pages import frame
 
+    check_arguments(__all__)
     for name in __all__:
         if isinstance(globals()[name], type):
             globals()[name].__module__ = __name__

@@ -1,11 +1,25 @@
 """What a run leaves behind."""
 
+import difflib
 import json
 from collections.abc import Mapping
 
 import numpy as np
 
-from ._spoke import StateError
+from ._spoke import InputError, StateError
+
+
+class UnknownSensor(InputError, KeyError):
+    """A result has no sensor of that name: an error as of Simulation.sensor(), and as of a mapping."""
+
+    __str__ = BaseException.__str__  # that of a KeyError is the repr of its argument
+
+
+def _describe_unknown(name, names):
+    nearest = difflib.get_close_matches(str(name), names, n=3)
+    meant = f"did you mean {' or '.join(nearest)}? " if nearest else ""
+    some = ", ".join(names[:30]) + (f" and {len(names) - 30} more" if len(names) > 30 else "")
+    return f"no sensor of the result is named {name!r}, {meant}expected one of {some}"
 
 
 class _Kept:
@@ -41,6 +55,8 @@ class Result(Mapping):
         result["hub.torque"]            # (rows,) [N m], a view of the run's own numbers
         result.t                        # (rows,) [s]
 
+    A name that it does not have is an InputError, with the nearest names, and a KeyError.
+
     It can be pickled and copied, with its summary and page; run(report=False) leaves the page out.
 
     Attributes:
@@ -67,6 +83,8 @@ class Result(Mapping):
         return Result(self._recording)
 
     def __getitem__(self, name):
+        if name not in self._columns:
+            raise UnknownSensor(_describe_unknown(name, list(self._columns)))
         return self.numbers[:, self._columns[name]]
 
     def __iter__(self):

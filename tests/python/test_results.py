@@ -197,3 +197,17 @@ def test_a_result_of_a_run_that_diverged_pickles():
     assert np.array_equal(again.numbers, result.numbers)
     with pytest.raises(spoke.StateError):
         again.summary()
+
+
+def test_a_name_that_a_result_does_not_have_is_told_with_the_nearest_and_all(rotor):
+    result = rotor.run(until=0.01)
+    with pytest.raises(KeyError) as caught:
+        result["hub.sped"]
+    text = str(caught.value)
+    assert isinstance(caught.value, spoke.InputError)
+    assert text.startswith("no sensor of the result is named 'hub.sped', did you mean hub.speed? ")
+    assert all(name in text for name in rotor.sensor_names)
+    assert str(pickle.loads(pickle.dumps(caught.value))) == text
+    with pytest.raises(spoke.InputError, match="expected one of blade1.tip.x, blade1.tip.y, "):
+        result["nothing like it"]
+    assert "hub.sped" not in result and 3 not in result and result.get("hub.sped") is None

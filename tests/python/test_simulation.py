@@ -105,6 +105,52 @@ def test_a_program_moves_an_anchor_by_functions_of_time():
         sim.loop_reaction(0, "rod")
 
 
+def test_with_the_courses_in_force_a_simulation_goes_back_to_the_same_bits():
+    sim = crane(by="program")
+    start, at_start = sim.save(), spoke.courses(sim)
+    assert at_start.drive.__class__ is spoke.FixedDrive and at_start.joints == []
+    anchor, = at_start.anchors
+    assert anchor["anchor"] == "winch" and not anchor["follows_curves"]
+
+    def lift(acceleration):
+        winch = sim.anchor_motion("winch")
+        winch.acceleration = (0.0, 0.0, acceleration)
+        sim.set_anchor_motion("winch", winch)
+
+    lift(0.5)
+    sim.run(until=0.1)
+    state, lifting = sim.save(), spoke.courses(sim)
+    result = sim.run(until=0.2)
+    expected = sim.state_hash
+    lift(-0.5)
+    sim.run(until=0.3)
+    moved = sim.state_hash
+    assert result.summary()["state_hash"] != f"{moved:016x}"  # that of the run's end
+    assert sim.state_hash == moved
+    assert spoke.courses(sim).anchors[0]["motion"].acceleration[2] == -0.5
+    sim.restore(state)
+    sim.run(until=0.2)
+    assert sim.state_hash != expected  # with the motion in force
+    sim.restore(state, lifting)
+    sim.run(until=0.2)
+    assert sim.state_hash == expected
+    sim.restore(start, at_start)
+    assert sim.anchor_motion("winch").acceleration[2] == 0.0
+
+
+def test_a_program_multiplies_loads_of_the_scenario():
+    tables = {"integration": {"duration": 1.0, "step": 0.005, "method": "rk4"},
+              "hub": model.hub(drive=spoke.TorqueDrive(5.0), inertia=5.0),
+              "hub_load": [model.hub_load(name="brake", torque=-2.0)]}
+    sim = spoke.Simulation(tables, executor="serial")
+    sim.set_load_factor("brake", 2.0)
+    assert spoke.courses(sim).loads == {"brake": 2.0}
+    sim.run(report=False)
+    assert sim.sensor("hub.speed") == pytest.approx((5.0 - 2.0 * 2.0) / 5.0 * 1.0, rel=1e-9)
+    with pytest.raises(spoke.InputError, match='did you mean "brake"'):
+        sim.set_load_factor("brakes", 1.0)
+
+
 def test_values_set_take_precedence():
     four, eight = (spoke.Simulation(ROTOR, set={"blade.bodies": n}).coordinates for n in (4, 8))
     assert eight == 2 * four
