@@ -81,6 +81,18 @@ bool has_moving_joint(const spatial::Model& model) {
   return false;
 }
 
+/// Finds a fault of a start at an equilibrium.
+StartFault find_equilibrium_fault(const Scenario& scenario) {
+  if (scenario.space && has_moving_joint(*scenario.space))
+    return {"state",
+            "is an equilibrium, but a joint has an initial_speed, expected only one of them"};
+  if (tumbles(scenario))
+    return {"state", "is an equilibrium, expected hub.angular_velocity along hub.axis"};
+  const Drive& drive = drive_of(scenario);
+  return prescribes_motion(drive) ? find_prescribed_speed_fault(drive, start_speed(scenario))
+                                  : find_free_speed_fault(scenario);
+}
+
 template <class Loads>
 void skip_ramps(Loads& loads) {
   for (auto& load : loads) load.ramp = 0.0;
@@ -120,14 +132,9 @@ StartFault find_start_fault(const Scenario& scenario) {
     if (initial.speed) return {"speed", "would be ignored, expected only with an equilibrium"};
     return {};
   }
-  if (scenario.space && has_moving_joint(*scenario.space))
-    return {"state",
-            "is an equilibrium, but a joint has an initial_speed, expected only one of them"};
-  if (tumbles(scenario))
-    return {"state", "is an equilibrium, expected hub.angular_velocity along hub.axis"};
-  const Drive& drive = drive_of(scenario);
-  return prescribes_motion(drive) ? find_prescribed_speed_fault(drive, start_speed(scenario))
-                                  : find_free_speed_fault(scenario);
+  StartFault fault = find_equilibrium_fault(scenario);
+  if (!fault.key.empty()) fault.text += kStartUndeformed;
+  return fault;
 }
 
 double start_speed(const Scenario& scenario) {

@@ -19,6 +19,9 @@ struct StartFault {
 };
 StartFault find_start_fault(const Scenario& scenario);
 
+/// What messages about a start at an equilibrium that there is not end with: the way out.
+inline constexpr const char* kStartUndeformed = "; --set initial={} starts without equilibrium";
+
 /// Returns the speed of the hub at t = 0 [rad/s]. Preconditions: initial.state is equilibrium, and
 /// there is no fault.
 double start_speed(const Scenario& scenario);

@@ -59,15 +59,20 @@ void append_once(std::vector<Value>& list, Value value) {
   if (std::find(list.begin(), list.end(), value) == list.end()) list.push_back(value);
 }
 
-/// Adds an option that takes a list of words.
+/// Adds an option that takes a list of words, or "all" if there are values that this means.
 template <class Value>
 void add_list(CLI::App& command, const std::string& option, const std::string& text,
-              std::vector<Value>& list, std::function<Value(const std::string&)> parse) {
+              std::vector<Value>& list, std::function<Value(const std::string&)> parse,
+              const std::vector<Value>& all = {}) {
   command
       .add_option_function<std::string>(
           option,
-          [&list, parse](const std::string& words) {
+          [&list, parse, all](const std::string& words) {
             list.clear();
+            if (words == "all" && !all.empty()) {
+              list = all;
+              return;
+            }
             for (const std::string& word : split(words)) append_once(list, parse(word));
           },
           text)
@@ -79,6 +84,7 @@ void add_choices(CLI::App& command, const std::string& option, const std::string
                  std::vector<Value>& list, const std::vector<Choice<Value>>& choices) {
   constexpr std::size_t kWidth = 64;  // width of the column in which --help explains options
   std::string known = "\nof ", separator;
+  std::vector<Value> all;
   std::size_t line = 0;  // begin of the last line
   for (const auto& choice : choices) {
     known += separator;
@@ -88,10 +94,11 @@ void add_choices(CLI::App& command, const std::string& option, const std::string
     }
     known += choice.name;
     separator = ", ";
+    all.push_back(choice.value);
   }
-  add_list<Value>(command, option, text + known, list, [option, choices](const std::string& word) {
-    return choose(option, word, choices);
-  });
+  add_list<Value>(
+      command, option, text + known, list,
+      [option, choices](const std::string& word) { return choose(option, word, choices); }, all);
 }
 
 template <class Value>

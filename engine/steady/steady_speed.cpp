@@ -41,7 +41,8 @@ double find_steady_speed(const Scenario& scenario, std::optional<double> asked) 
                                           : std::visit(FinalSpeed{}, scenario.rotor.hub.drive);
   if (!speed)
     throw InputError(
-        "hub.drive: a torque has no steady speed by itself, expected a speed to be given");
+        "hub.drive: a torque has no steady speed by itself, expected a speed to be given "
+        "(--speed)");
   return *speed;
 }
 

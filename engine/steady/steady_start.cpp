@@ -2,6 +2,7 @@
 
 #include "engine/steady/steady_start.h"
 
+#include <string>
 #include <utility>
 
 #include "engine/steady/find_equilibrium.h"
@@ -11,7 +12,9 @@
 
 namespace spoke::steady {
 
-std::vector<Eigen::VectorXd> find_start(const Scenario& scenario) {
+namespace {
+
+std::vector<Eigen::VectorXd> solve_start(const Scenario& scenario) {
   const std::unique_ptr<SteadyModel> model =
       make_steady_model(scenario, {start_speed(scenario), Instant::start});
   const Equilibrium found = find_machine_equilibrium(*model);
@@ -27,6 +30,18 @@ std::vector<Eigen::VectorXd> find_start(const Scenario& scenario) {
     support[support.size() - 1] = 0.0;
   }
   return q;
+}
+
+}  // namespace
+
+std::vector<Eigen::VectorXd> find_start(const Scenario& scenario) {
+  try {
+    return solve_start(scenario);
+  } catch (const InputError& error) {
+    throw InputError(error.what() + std::string(kStartUndeformed), error.place());
+  } catch (const DivergenceError& error) {
+    throw DivergenceError(error.what() + std::string(kStartUndeformed), error.divergence());
+  }
 }
 
 }  // namespace spoke::steady

@@ -56,13 +56,22 @@ void print(const fmu::Fmu& made, const Simulation& simulation, const std::string
 
 }  // namespace
 
+namespace {
+
+/// Returns the names that an option gives; none for "all", which is what no names mean.
+std::vector<std::string> names_of(const std::vector<std::string>& given) {
+  return given == std::vector<std::string>{"all"} ? std::vector<std::string>() : given;
+}
+
+}  // namespace
+
 int make_fmu(const Arguments& arguments, const FmuArguments& own) {
   const fmu::FmuRequest request{.scenario = arguments.scenario,
                                 .overrides = arguments.overrides,
                                 .name = name_of(arguments.out),
                                 .binary = fmu::find_library(),
-                                .inputs = own.inputs,
-                                .outputs = own.outputs,
+                                .inputs = names_of(own.inputs),
+                                .outputs = names_of(own.outputs),
                                 .version = fmu::FmiVersion{own.version},
                                 .text = read_text(arguments.scenario)};
   const Scenario scenario = parse_scenario(request.text, arguments.scenario, arguments.overrides);

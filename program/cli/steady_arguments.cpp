@@ -36,6 +36,9 @@ std::vector<double> parse_range(const std::string& text) {
   const double from = parse(text.substr(0, first));
   const double to = parse(text.substr(first + 1, second - first - 1));
   const double step = parse(text.substr(second + 1));
+  if (to == from)
+    throw CLI::ValidationError(
+        "--speeds", kRange + text + "; of one speed: spoke modes --speed " + text.substr(0, first));
   if (!(to > from) || !(step > 0.0) || !(step <= to - from))
     throw CLI::ValidationError("--speeds", kRange + text);
   const double steps = std::floor((to - from) / step * (1.0 + 1e-9));

@@ -15,6 +15,21 @@ namespace {
 
 int line_of(const YAML::Node& node) { return node.Mark().line + 1; }
 
+/// Returns "beside \"grid\", \"values\"": the keys that a map has.
+std::string beside_keys_of(const YAML::Node& map) {
+  constexpr std::size_t kMost = 8;
+  if (map.size() == 0) return "in this map, which is empty";
+  std::string text = "beside";
+  std::size_t count = 0;
+  for (const auto& member : map) {
+    if (count == kMost) return text + " and others";
+    const bool is_word = member.first.IsScalar();
+    text += (count++ == 0 ? " " : ", ") + (is_word ? solid::show_text(member.first.Scalar())
+                                                   : std::string("a key that is no word"));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string Entry::from() const { return path_ + ", " + place(*file_, line_); }
@@ -27,7 +42,7 @@ Entry Entry::at(const std::string& key) const {
   if (!node_.IsMap()) refuse("is no map, expected one with the key " + key);
   const YAML::Node value = find(key);
   const std::string path = path_.empty() ? key : path_ + '.' + key;
-  if (!value.IsDefined()) refuse("has no key " + key + ", expected " + path);
+  if (!value.IsDefined()) refuse("has no key " + key + ", expected it " + beside_keys_of(node_));
   return {value, *file_, path, line_of(value)};
 }
 

@@ -66,8 +66,9 @@ TEST_CASE("equilibrium: what has none is refused in a line") {
         "hub.support: the hub is free, expected an axle: nothing holds the model");
   Scenario torque = make_planar({});
   torque.rotor.hub.drive = TorqueDrive{Curve(1.0), 0.0};
-  CHECK(test::message_of<InputError>([&] { solve_equilibrium(torque); }) ==
-        "hub.drive: a torque has no steady speed by itself, expected a speed to be given");
+  CHECK(
+      test::message_of<InputError>([&] { solve_equilibrium(torque); }) ==
+      "hub.drive: a torque has no steady speed by itself, expected a speed to be given (--speed)");
   CHECK(test::message_of<InputError>([&] { solve_equilibrium(make_planar({}), {.speed = NAN}); }) ==
         "the speed is nan, expected a finite number (rad/s)");
   CHECK(test::message_of<InputError>([&] {

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -147,4 +148,24 @@ TEST_CASE("a full disk is told in one line") {
   CHECK(ended.status == 2);
   CHECK(ended.err == "out/sensors.csv: cannot be written: No space left on device\n");
   CHECK_FALSE(fs::exists(folder.path() / "out" / "summary.json"));
+}
+
+TEST_CASE("an unknown key is told with the known ones, each once") {
+  // A body has keys of rigid ones, beams and solids, which have some in common.
+  const Ended ended = run_spoke(
+      {"check", shipped("tree_of_bodies"), "--set", "subsystem.1.body.1.qqqqqqqq=1"}, WorkFolder());
+  CHECK(ended.status == 2);
+  std::vector<std::string> keys;
+  const std::string start = "unknown key, expected ";
+  REQUIRE(ended.err.find(start) != std::string::npos);
+  std::size_t quote = ended.err.find('"', ended.err.find(start));
+  while (quote != std::string::npos) {
+    const std::size_t end = ended.err.find('"', quote + 1);
+    keys.push_back(ended.err.substr(quote + 1, end - quote - 1));
+    quote = ended.err.find('"', end + 1);
+  }
+  std::sort(keys.begin(), keys.end());
+  CHECK(keys.size() > 20);
+  CHECK(std::adjacent_find(keys.begin(), keys.end()) == keys.end());
+  CHECK(std::find(keys.begin(), keys.end(), "geometric_stiffening") != keys.end());
 }

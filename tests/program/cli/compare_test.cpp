@@ -136,6 +136,10 @@ TEST_CASE("compare refuses a bad command line in one line and writes nothing") {
   check_refused({"compare"}, "spoke compare: SCENARIO is required");
   refused({"--executors", "serial,flowgraph"}, "--executors: unknown \"flowgraph\", expected");
   refused({"--executors", ""}, "--executors: unknown \"\", expected");
+  // The defaults that the help names are words of the options: what is refused is the other one.
+  refused({"--executors", "all", "--wait", "all", "--bind", "false", "--repeat", "x"},
+          "--repeat: ");
+  refused({"--executors", "all,serial"}, "--executors: unknown \"all\", expected some of");
   refused({"--formulations", "dense"},
           "--formulations: unknown \"dense\", expected some of structured, subsystem, augmented");
   refused({"--wait", "sleepy"}, "--wait: unknown \"sleepy\", expected some of default, passive");

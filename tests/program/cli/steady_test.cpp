@@ -286,20 +286,24 @@ TEST_CASE("static, modes, campbell and linearize refuse bad input in one line") 
   check_refused({"modes", scenario, "--count", "0"}, "--count: Value 0 not in range");
   check_refused({"modes", scenario, "--count", "1000"},
                 "1000 modes, expected at most 48: there are no more of blades 1 to 3");
-  check_refused({"modes", scenario, "--set", "hub.drive={kind=\"torque\",torque=1.0}"},
-                "hub.drive: a torque has no steady speed by itself");
+  check_refused(
+      {"modes", scenario, "--set", "hub.drive={kind=\"torque\",torque=1.0}"},
+      "hub.drive: a torque has no steady speed by itself, expected a speed to be given (--speed)");
   const std::string range =
       "--speeds: expected FROM:TO:STEP, ascending numbers up to 1e30 [rad/s], got ";
   for (const std::string speeds :
        {"4:0:0.5", "0:4:-1", "0:4", "a:4:1", "0:4:9", "0:nan:1", "0:1e308:1e307"})
     check_refused({"campbell", scenario, "--speeds", speeds}, range + speeds);
+  check_refused({"campbell", scenario, "--speeds", "1:1:1"},
+                range + "1:1:1; of one speed: spoke modes --speed 1");
   check_refused({"campbell", scenario}, "--speeds is required");
   for (const std::string command : {"static", "modes", "linearize"})
     for (const std::string speed : {"", "nan", "inf", "1e400", "1e308", "-1e31", "3 rad"})
       check_refused({command, scenario, "--speed", speed},
                     "--speed: expected a number from -1e30 to 1e30 [rad/s], got \"" + speed);
   check_refused({"run", scenario, "--set", "initial={state=\"equilibrium\",speed=1.0}"},
-                "initial.speed: is 1, expected a speed that the drive has");
+                "initial.speed: is 1, expected a speed that the drive has: 0 at its start, or 4 "
+                "after its ramp (rad/s); --set initial={} starts without equilibrium");
 }
 
 TEST_CASE("performance refuses bad input in one line") {

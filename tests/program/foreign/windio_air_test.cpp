@@ -245,7 +245,7 @@ TEST_CASE("ontologies with faults of aerodynamics are refused") {
         "4"},
        {with("thick, thin]", "thick, thinner]"),
         "labels.4: is \"thinner\", expected the name of one of airfoils"},
-       {with("labels:", "names:"), "has no key labels"},
+       {with("labels:", "names:"), "has no key labels, expected it beside "},
        {with("grid: [0.0, 0.15, 0.6, 1.0]", "grid: [0.0, 0.6, 0.15, 1.0]"),
         "airfoil_position.grid: element 3 is 0.15, expected more"},
        {with("grid: [0.0, 0.15, 0.6, 1.0]", "grid: [0.0, 0.15, 0.6]"), "the last 1"},
