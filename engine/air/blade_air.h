@@ -56,8 +56,6 @@ class SPOKE_EXPORT BladeAir {
   std::size_t state_size() const { return kStates * stations_.size(); }
   /// Returns the distances of the stations from the root [m].
   const std::vector<double>& stations() const { return places_; }
-  /// Whether induced velocities lag behind the annuli's solutions: inflow is dynamic.
-  bool lags_inflow() const { return lags_inflow_; }
   /// Returns the rotor's radius, undeformed [m].
   double radius() const { return radius_; }
 

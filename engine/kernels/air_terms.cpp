@@ -96,10 +96,10 @@ void evaluate_air(double t, double elapsed, bool iterates, const System<Space>& 
   std::fill(own.forces.begin(), own.forces.end(), Wrench{});
   const air::RotorPlace rotor = place_rotor(t, *data.hub, *system.wind);
   const bool has_begun = own.states.back() != 0.0;
-  own.blade->evaluate(
-      rotor, own.motions, own.winds, has_begun ? elapsed : std::numeric_limits<double>::infinity(),
-      own.states.data(), own.reached.data(), own.forces, {own.stations.data(), own.stations.size()},
-      iterates && own.blade->lags_inflow());
+  own.blade->evaluate(rotor, own.motions, own.winds,
+                      has_begun ? elapsed : std::numeric_limits<double>::infinity(),
+                      own.states.data(), own.reached.data(), own.forces,
+                      {own.stations.data(), own.stations.size()}, iterates);
   own.reached.back() = 1.0;
   own.sum = sum_up(rotor, own.motions, own.forces);
   space::Rotation to_body;

@@ -14,8 +14,7 @@ inline void place_air(const System<Plane>&, StepData<Plane>&) {}
 
 /// Evaluates the air on a subsystem at time `t` [s], `elapsed` [s] after its states were kept, at
 /// the kinematics in the table: sets its wrenches, and the states reached. iterates: an evaluation
-/// at this time precedes, whose induced velocities are kept where inflow is dynamic. Precondition:
-/// it has air.
+/// at this time precedes, whose induced velocities are kept. Precondition: it has air.
 void evaluate_air(double t, double elapsed, bool iterates, const System<Space>& system,
                   std::size_t i, SubsystemData<Space>& data) noexcept;
 inline void evaluate_air(double, double, bool, const System<Plane>&, std::size_t,
