@@ -95,9 +95,18 @@ bool has_converged(const IterationLimits& limits, double change, const StepProgr
   if (leaves_open) return false;
   if (limits.follows_error && leaves_little(change, progress)) return true;
   if (is_small_change(limits, change, progress)) return true;
-  if (change > limits.tolerance) return false;
+  if (progress.passes >= limits.most)
+    return change <= std::max(limits.tolerance, progress.tolerance);
   const bool has_stalled = progress.passes > 1 && change > 0.5 * progress.change;
-  return has_stalled || progress.passes >= limits.most;
+  return has_stalled && change <= limits.tolerance;
+}
+
+/// Returns the share that the next pass takes. The last that may be made is plain where loops are
+/// to be closed: no other closes them.
+double choose_next_share(const IterationLimits& limits, const StepProgress& progress) {
+  if (!limits.relaxes || limits.fixed > 0) return 1.0;
+  if (std::isfinite(limits.closing) && progress.passes + 1 >= limits.most) return 1.0;
+  return choose_share(progress);
 }
 
 /// Whether the pass completes the step; else sets the next one.
@@ -123,7 +132,7 @@ bool end_iteration(const Integrator& integrator, const PassReport& report, StepP
     fail(StepOutcome::not_converged, progress);
   else
     set_stage(integrator, done, progress);
-  if (limits.relaxes && limits.fixed == 0) progress.control.relaxation = choose_share(progress);
+  progress.control.relaxation = choose_next_share(limits, progress);
   return false;
 }
 

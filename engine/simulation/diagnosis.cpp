@@ -45,6 +45,17 @@ std::string name_quantity(StepOutcome outcome, const FailureSite& site) {
   return site.is_known() ? site.quantity : "the acceleration of the hub";
 }
 
+/// Returns what the last change of an iteration was not within.
+std::string name_unmet(const IterationLimits& limits, const StepProgress& progress) {
+  std::ostringstream text;
+  if (progress.change > progress.tolerance)
+    text << "tolerance " << progress.tolerance;
+  else
+    text << "within its tolerance, " << progress.tolerance << ", but not within the "
+         << limits.closing << " to which closed loops need it";
+  return text.str();
+}
+
 template <class World>
 std::string describe_finding(const Scenario& scenario, const SystemContext<World>& context,
                              const FailedStep& failed, const FailureSite& site,
@@ -57,8 +68,8 @@ std::string describe_finding(const Scenario& scenario, const SystemContext<World
     text << names.whole() << ": " << site.quantity << site.finding;
   } else if (failed.outcome == StepOutcome::not_converged) {
     const StepProgress& progress = failed_progress(context.data);
-    text << "the iteration still changes a coordinate by " << progress.change << " (tolerance "
-         << progress.tolerance << ") after "
+    text << "the iteration still changes a coordinate by " << progress.change << " ("
+         << name_unmet(context.integrator.limits, progress) << ") after "
          << counted(context.integrator.limits.most, "iteration");
     if (site.is_known()) text << ", most in " << names.whole();
   } else if (site.is_known()) {

@@ -124,14 +124,28 @@ std::string blame_loop(const FailureSite& site) {
          "integration.step, or keep it away from that position";
 }
 
+/// Whether a step that is small enough for the motion has had changes that do not fall. Where they
+/// fall slowly, a smaller step helps: what is not in Mhat contracts with it.
+bool goes_to_and_fro(const StepProgress& progress) {
+  constexpr double kFollows = 2e-4;  // from which error of a step on there is a warning
+  const double error = progress.error.size;
+  return progress.contraction >= 1.0 && error > 0.0 && error < kFollows;
+}
+
 template <class World>
 std::string blame_iteration(const SystemContext<World>& context, const FailedStep& failed) {
   constexpr double kRoundOff = 1e-12;  // absolute round-off of coordinates of some metres
   if (failed.outcome != StepOutcome::not_converged) return {};
   const IterationLimits& limits = context.integrator.limits;
+  const StepProgress& progress = failed_progress(context.data);
   std::ostringstream text;
-  if (failed_progress(context.data).change < kRoundOff)
+  if (progress.change < kRoundOff)
     text << "that is round-off: set integration.tolerance to 1e-12 or more";
+  else if (goes_to_and_fro(progress))
+    text << "the step follows the motion (its estimated error is " << progress.error.size
+         << "), but the changes do not fall: a force there turns or jumps within them, as those of "
+            "stops, of air and of loads can, where smaller steps may fail alike: make it "
+            "smoother, or set integration.method to rk4";
   else
     text << "the step is too large for generalized_alpha to iterate on: set integration.step to "
          << 0.5 * step_size(context.integrator) << " or less, or integration.max_iterations above "

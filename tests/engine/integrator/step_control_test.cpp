@@ -137,6 +137,31 @@ TEST_CASE("an iteration to the step's own error ends at a share of its first cha
   CHECK(progress.outcome == StepOutcome::not_converged);
 }
 
+TEST_CASE("a change within the tolerance is converged when no more passes may be made") {
+  IterationLimits limits{1e-10, 0, 12};
+  limits.follows_error = true;
+  // Tolerance of the step: 3e-5 of its first change, 3e-8. The second change doubles, so that the
+  // contraction seen, 2, promises nothing.
+  const auto outcome_of = [](const Integrator& integrator, double last) {
+    StepProgress progress = progress_at_first_step(integrator);
+    StepRecord record;
+    for (int k = 0; k < 11; ++k)
+      end_pass(integrator, {1, 100, false}, report_of(k == 1 ? 2e-3 : 1e-3), progress, record);
+    CHECK(progress.completed != 1);
+    end_pass(integrator, {1, 100, false}, report_of(last), progress, record);
+    return progress;
+  };
+  CHECK(outcome_of(implicit_integrator(limits), 2.9e-8).completed == 1);
+  CHECK(outcome_of(implicit_integrator(limits), 3.1e-8).outcome == StepOutcome::not_converged);
+  // Loops close with plain passes alone, the last of which is one, to what they ask for.
+  limits.relaxes = true;
+  limits.closing = 1e-8;
+  CHECK(outcome_of(implicit_integrator(limits), 0.9e-8).completed == 1);
+  const StepProgress open = outcome_of(implicit_integrator(limits), 1.1e-8);
+  CHECK(open.outcome == StepOutcome::not_converged);
+  CHECK(open.share_before == 1.0);
+}
+
 TEST_CASE("an iteration to the step's own error leaves no more than it is told") {
   IterationLimits limits{1e-9, 0, 30};
   limits.follows_error = true;
