@@ -27,6 +27,12 @@ std::string read_at_most(std::istream& stream, std::size_t most) {
 
 }  // namespace
 
+std::string_view without_byte_order_mark(std::string_view text) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
+  return text;
+}
+
 std::string read_text(const std::filesystem::path& file, const std::string& kind,
                       std::size_t largest) {
   const auto refuse = [&](const std::string& what) {
@@ -43,6 +49,9 @@ std::string read_text(const std::filesystem::path& file, const std::string& kind
   if (!stream) refuse(std::strerror(errno));
   std::string text = read_at_most(stream, largest + 1);
   if (stream.bad()) refuse("cannot be read");
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    refuse("is text in UTF-16, not in UTF-8");
+  text.erase(0, text.size() - without_byte_order_mark(text).size());
   if (text.empty()) refuse("is empty");
   if (text.size() > largest) refuse("is larger than " + std::to_string(largest >> 20) + " MiB");
   return text;

@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "models/solid/mesh_text.h"
+#include "models/text_file.h"
 #include "spoke/error.h"
 
 namespace spoke::solid {
@@ -76,6 +77,7 @@ bool NumberText::next() {
     auto length = static_cast<std::size_t>(stream_.gcount());
     if (!stream_.eof()) --length;  // the end of the line counts
     line_ = std::string_view(buffer_.data(), length);
+    if (number_ == 1) line_ = without_byte_order_mark(line_);
     if (!is_text(line_)) fail("is no text, expected a text file of numbers");
     while (!line_.empty() && separates(line_.front())) line_.remove_prefix(1);
     while (!line_.empty() && line_.back() != ',' && separates(line_.back())) line_.remove_suffix(1);
