@@ -19,6 +19,7 @@
 #include "graph/executor.h"
 #include "graph/run_trace.h"
 #include "models/error.h"
+#include "models/hints.h"
 #include "models/scenario.h"
 
 /// Systems of flexible bodies, and their simulation.

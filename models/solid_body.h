@@ -54,13 +54,25 @@ struct SolidNodeSet {
   std::vector<SolidFace> faces{};
 };
 
+/// A mass without extent that moves with a node.
+struct SolidNodeMass {
+  int node = 0;       ///< index from 0
+  double mass = 0.0;  ///< [kg]
+};
+
 /// A finite-element mesh. Its axes are those of the body's frame.
 struct SolidMesh {
   std::vector<Vector> nodes{};  ///< places [m]
   std::vector<SolidElement> elements{};
   std::vector<SolidNodeSet> sets{};
-  std::vector<int> labels{};  ///< numbers of the nodes in their file; empty: index + 1
-  std::string file{};         ///< file it was read from, for messages; empty: none
+  std::vector<int> labels{};            ///< numbers of the nodes in their file; empty: index + 1
+  std::string file{};                   ///< file it was read from, for messages; empty: none
+  std::vector<SolidNodeMass> masses{};  ///< point masses; several at one node add up
+  /// What its file says and the mesh has not, as people look for it: "*BOUNDARY (line 12)".
+  std::vector<std::string> left_out{};
+  /// Why its file has no material for the whole mesh, a clause: "has 2 materials, ..."; empty: it
+  /// has one, or none at all.
+  std::string material_fault{};
 };
 
 /// Linear isotropic material.

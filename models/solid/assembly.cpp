@@ -132,6 +132,8 @@ NodeMatrices assemble(const spatial::SolidMesh& mesh, const spatial::SolidMateri
             mass(a, b);
     add_stiffness(calc_stiffness(element.kind, x, lame), element, matrices.m, matrices.K);
   }
+  for (const auto& [node, mass] : mesh.masses)
+    matrices.m.valuePtr()[find_entry(matrices.m, node, node)] += mass;
   return matrices;
 }
 

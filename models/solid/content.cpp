@@ -48,6 +48,10 @@ void add_mesh(const spatial::SolidMesh& mesh, ContentHash& hash) {
     hash.add(static_cast<std::size_t>(element.kind));
     hash.add_all(element.nodes, static_cast<std::size_t>(count_nodes(element.kind)));
   }
+  for (const auto& [node, mass] : mesh.masses) {
+    hash.add(static_cast<std::size_t>(node));
+    hash.add(mass);
+  }
   for (const spatial::SolidNodeSet& set : mesh.sets) {
     hash.add_text(set.name);
     hash.add_all(set.nodes, set.nodes.size());

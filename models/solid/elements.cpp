@@ -195,6 +195,23 @@ double least_volume_ratio(ElementKind kind, const NodeColumns& x) {
   return least;
 }
 
+NodeVolume least_volume_at_nodes(ElementKind kind, const NodeColumns& x) {
+  static const RuleTable table = make_table([](ElementKind k) {
+    std::vector<ParentPoint> nodes;
+    for (int node = 0; node < spatial::count_nodes(k); ++node)
+      nodes.push_back({parent_place(k, node), 0.0});
+    return nodes;
+  });
+  NodeVolume least{0, std::numeric_limits<double>::infinity()};
+  const ShapeRule& points = rule_of(table, kind);
+  for (std::size_t node = 0; node < points.size(); ++node) {
+    const Eigen::Matrix3d J = x * points[node].dN.transpose();
+    const double ratio = J.determinant();
+    if (ratio < least.ratio) least = {static_cast<int>(node), ratio};
+  }
+  return least;
+}
+
 NodeMatrix calc_mass(ElementKind kind, const NodeColumns& x, double density) {
   const ShapeRule& rule = mass_rule(kind, is_curved(kind, x));
   NodeMatrix m = NodeMatrix::Zero(x.cols(), x.cols());

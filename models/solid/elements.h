@@ -62,6 +62,14 @@ double calc_gradients(const ShapePoint& point, const NodeColumns& x, NodeColumns
 /// or degenerate.
 double least_volume_ratio(spatial::ElementKind kind, const NodeColumns& x);
 
+/// The least det J at the nodes of an element. Below zero, the element is folded over there, even
+/// if no point of the rules is.
+struct NodeVolume {
+  int node = 0;
+  double ratio = 0.0;
+};
+NodeVolume least_volume_at_nodes(spatial::ElementKind kind, const NodeColumns& x);
+
 /// Returns the scalar mass matrix: sum W rho N_i N_j.
 NodeMatrix calc_mass(spatial::ElementKind kind, const NodeColumns& x, double density);
 

@@ -58,6 +58,12 @@ void add_moments(const spatial::SolidMesh& mesh, double density, const Vector& a
     geometry.first_moment += first;
     geometry.second_moment += second;
   }
+  for (const auto& [node, mass] : mesh.masses) {
+    const Vector r = mesh.nodes[static_cast<std::size_t>(node)] - about;
+    geometry.mass += mass;
+    geometry.first_moment += mass * r;
+    geometry.second_moment += mass * r * r.transpose();
+  }
 }
 
 /// Reads the mesh, if it is not there, and the material, if the body has none.
@@ -75,10 +81,12 @@ void take_mesh(const SolidBody& body, SolidGeometry& geometry) {
     }
   }
   if (body.material) material = body.material;
+  const std::string& fault = geometry.mesh->material_fault;
   if (!material)
     refuse_field("material",
-                 "is missing, expected youngs_modulus, poissons_ratio and density (or an .inp file "
-                 "with one isotropic material)");
+                 "is missing, " + (fault.empty() ? "" : "and the mesh's file " + fault + "; ") +
+                     "expected youngs_modulus, poissons_ratio and density (or an .inp file "
+                     "with one isotropic material)");
   geometry.material = *material;
 }
 

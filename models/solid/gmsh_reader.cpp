@@ -284,6 +284,7 @@ class GmshReader {
     for (const int group : groups) {
       if (group == 0) continue;
       FileSet& set = sets_[{kind.dimension, group}];
+      if (kind.dimension == 1) parts_.lines.push_back({{nodes[0], nodes[1]}, at});
       if (kind.dimension != 2) {
         set.nodes.insert(set.nodes.end(), nodes.begin(), nodes.begin() + kind.nodes);
         continue;

@@ -14,9 +14,9 @@ using spatial::ElementKind;
 // Of families of which one name begins another's the longer comes first.
 constexpr std::array<std::string_view, 12> kFaceFamilies{
     "CPEG", "CPS", "CPE", "CAX", "STRI", "SFM3D", "M3D", "R3D", "DC2D", "DCAX", "DS", "S"};
-constexpr std::array<std::string_view, 16> kIgnoredFamilies{
-    "T2D",    "T3D",     "B2",   "B3",    "PIPE", "FRAME", "MASS", "ROTARYI",
-    "SPRING", "DASHPOT", "CONN", "DCOUP", "GAP",  "R2D",   "RAX",  "SAX"};
+constexpr std::array<std::string_view, 9> kLineFamilies{"T2D",   "T3D", "B2",  "B3", "PIPE",
+                                                        "FRAME", "R2D", "RAX", "SAX"};
+constexpr int kMostLineNodes = 4;  // with one of a beam's normal
 
 /// Splits "10R" into 10 and its letters; false if it does not begin with a number or goes on with
 /// others than letters.
@@ -51,8 +51,9 @@ InpElement find_inp_element(std::string_view type) {
       return {InpRole::face, number, {}};
     return {};
   }
-  for (const std::string_view family : kIgnoredFamilies)
-    if (type.starts_with(family)) return {InpRole::ignored, 0, {}};
+  for (const std::string_view family : kLineFamilies)
+    if (type.starts_with(family)) return {InpRole::line, kMostLineNodes, {}};
+  if (type == "MASS") return {InpRole::mass, 1, {}};
   return {};
 }
 

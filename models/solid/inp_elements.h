@@ -8,11 +8,12 @@
 
 namespace spoke::solid {
 
-/// What a type of elements is to a mesh.
-enum class InpRole { unknown, volume, face, ignored };
+/// What a type of elements is to a mesh. Faces and lines name places of the body, as long as no
+/// section makes shells or beams of them.
+enum class InpRole { unknown, volume, face, line, mass };
 struct InpElement {
   InpRole role = InpRole::unknown;
-  int nodes = 0;                                            ///< of volumes and faces
+  int nodes = 0;                                            ///< of lines at most so many
   spatial::ElementKind kind = spatial::ElementKind::tet10;  ///< of volumes
 };
 

@@ -7,6 +7,15 @@
 
 namespace spoke::solid {
 
+namespace {
+
+std::string without_blanks(std::string text) {
+  std::erase_if(text, [](char c) { return c == ' ' || c == '\t'; });
+  return text;
+}
+
+}  // namespace
+
 std::string in_capitals(std::string_view text) {
   text = trim(text);
   if (text.size() > 1 && text.front() == '"' && text.back() == '"')
@@ -18,8 +27,8 @@ std::string in_capitals(std::string_view text) {
 }
 
 const std::string* InpKeyword::find(std::string_view parameter) const {
-  for (const auto& [key, value] : parameters)
-    if (key == parameter) return &value;
+  for (const auto& [found, value] : parameters)
+    if (found == parameter) return &value;
   return nullptr;
 }
 
@@ -60,6 +69,7 @@ bool InpLines::next_keyword(InpKeyword& keyword) {
     rest.remove_prefix(std::min(comma + 1, rest.size()));
     if (is_name) {
       keyword.name = in_capitals(item);
+      keyword.key = without_blanks(keyword.name);
       continue;
     }
     const std::size_t equals = std::min(item.find('='), item.size());
@@ -69,7 +79,7 @@ bool InpLines::next_keyword(InpKeyword& keyword) {
     if (!item.empty())
       keyword.parameters.emplace_back(in_capitals(item.substr(0, equals)), std::string(value));
   }
-  if (all.empty()) keyword.name.clear();
+  if (all.empty()) keyword.name = keyword.key = "";
   return true;
 }
 

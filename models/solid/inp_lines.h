@@ -18,6 +18,7 @@ std::string in_capitals(std::string_view text);
 /// A line "*ELEMENT, TYPE=C3D10, ELSET=ALL".
 struct InpKeyword {
   std::string name;  ///< in capitals, without the star: "END PART"
+  std::string key;   ///< the same without blanks, which count for nothing: "ENDPART"
   int line = 0;
   /// Names in capitals, values as they are.
   std::vector<std::pair<std::string, std::string>> parameters;

@@ -9,8 +9,10 @@
 #include <utility>
 
 #include "models/count_text.h"
-#include "models/solid/inp_elements.h"
+#include "models/solid/inp_keywords.h"
 #include "models/solid/inp_lines.h"
+#include "models/solid/inp_materials.h"
+#include "models/solid/inp_properties.h"
 #include "models/solid/inp_sets.h"
 #include "models/solid/surface.h"
 
@@ -33,12 +35,6 @@ struct Surface {
   std::string name;
   bool is_of_nodes;
 };
-struct InpMaterial {
-  std::string name;
-  int elastic_lines = 0;
-  SolidMaterial values{};
-  bool is_isotropic = false;
-};
 
 class InpReader {
  public:
@@ -50,44 +46,47 @@ class InpReader {
     while (lines_.next_keyword(keyword_)) read_keyword();
     resolve();
     if (any_elements_) parts_.elements.clear();
-    if (material != nullptr) *material = find_material();
+    if (material != nullptr) *material = materials_.find();
+    parts_.material_fault = materials_.find_fault();
     return std::move(parts_);
   }
 
  private:
   void read_keyword() {
-    const std::string& name = keyword_.name;
-    if (name == "NODE") return read_nodes();
-    if (name == "ELEMENT") return read_elements();
-    if (name == "NSET") return read_set(nodes_, "NSET");
-    if (name == "ELSET") return read_set(elements_, "ELSET");
-    if (name == "SURFACE") return read_surface();
-    if (name == "MATERIAL") materials_.push_back({parameter_of("NAME"), 0, {}, false});
-    if (name == "ELASTIC") return read_elastic();
-    if (name == "DENSITY") return read_density();
-    if (name == "SOLID SECTION") sections_.insert(in_capitals(parameter_of("MATERIAL")));
-    if (name == "PART" && ++parts_read_ > 1)
+    const std::string& key = keyword_.key;
+    if (key == "NODE") return read_nodes();
+    if (key == "ELEMENT") return read_elements();
+    if (key == "NSET") return read_set(nodes_, "NSET");
+    if (key == "ELSET") return read_set(elements_, "ELSET");
+    if (key == "SURFACE") return read_surface();
+    if (key == "MATERIAL") return materials_.open(parameter_of("NAME"), keyword_.line);
+    if (key == "ELASTIC") return materials_.read_elastic(keyword_, lines_);
+    if (key == "DENSITY") return materials_.read_density(keyword_, lines_);
+    if (key == "SOLIDSECTION" && !any_elements_) {
+      materials_.use(parameter_of("MATERIAL"));
+      return properties_.read_section(keyword_, lines_);
+    }
+    if (key == "MASS" && !any_elements_) return properties_.read_masses(keyword_, lines_);
+    if (key == "INSTANCE") return read_instance();
+    if (key == "PART" && ++parts_read_ > 1)
       lines_.refuse(keyword_.line, "is a second part, expected one");
-    if (name == "INSTANCE") return read_instance();
-    if (name == "ASSEMBLY") is_in_assembly_ = true;
-    if (name == "END ASSEMBLY") is_in_assembly_ = false;
-    if (name == "END INSTANCE") is_in_instance_ = false;
-    if (name == "INCLUDE")
+    if (key == "ASSEMBLY") is_in_assembly_ = true;
+    if (key == "ENDASSEMBLY") is_in_assembly_ = false;
+    if (key == "ENDINSTANCE") is_in_instance_ = false;
+    if (key == "STEP") is_in_step_ = true;
+    if (key == "ENDSTEP") is_in_step_ = false;
+    if (key == "INCLUDE")
       lines_.refuse(keyword_.line, "includes another file, expected its text in this place");
     for (const char* refused : {"SYSTEM", "NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY"})
-      if (name == refused)
-        lines_.refuse(keyword_.line, '*' + name +
+      if (key == refused)
+        lines_.refuse(keyword_.line, '*' + keyword_.name +
                                          " is not supported, expected nodes and elements "
                                          "one by one");
+    pass_over();
   }
 
-  /// Returns a parameter that the keyword must have.
   std::string parameter_of(const char* parameter) const {
-    const std::string* value = keyword_.find(parameter);
-    if (value == nullptr || value->empty())
-      lines_.refuse(keyword_.line, '*' + keyword_.name + " has no " + parameter + ", expected " +
-                                       parameter + " = ...");
-    return *value;
+    return solid::parameter_of(keyword_, parameter, lines_);
   }
   /// Whether nodes and numbers belong to the assembly and not to the mesh: points of reference.
   bool is_outside() const { return is_in_assembly_ && !is_in_instance_; }
@@ -114,37 +113,39 @@ class InpReader {
 
   void read_elements() {
     const std::string type = in_capitals(parameter_of("TYPE"));
-    InpElement kind = find_inp_element(type);
-    if (kind.role == InpRole::unknown && any_elements_) kind.role = InpRole::ignored;
+    const InpElement kind = find_inp_element(type);
+    if (any_elements_ && kind.role != InpRole::volume && kind.role != InpRole::face) {
+      has_passed_over_ = true;
+      return;
+    }
     if (kind.role == InpRole::unknown)
       lines_.refuse(keyword_.line,
                     "has elements of type " + show_text(type) +
                         ", expected C3D4, C3D10, C3D8 or C3D20, or faces (CPS3, CPS6, CPS4, CPS8)");
-    has_ignored_ = has_ignored_ || kind.role == InpRole::ignored;
-    if (kind.role == InpRole::ignored) return;
     const std::string* set = keyword_.find("ELSET");
     if (set != nullptr) elements_.open(*set);
     std::array<int, 20> nodes{};
     while (lines_.next_data()) {
       const int line = lines_.line();
-      const int label = read_element(type, kind.nodes, nodes);
-      labels_.push_back(label);
-      element_lines_.push_back(line);
+      int count = kind.nodes;
+      const int label = read_element(type, kind.role == InpRole::line, count, nodes);
+      table_.labels.push_back(label);
+      table_.lines.push_back(line);
       if (set != nullptr) elements_.add_number(label, line);
       if (kind.role == InpRole::volume) {
-        places_.push_back(static_cast<int>(parts_.elements.size()));
+        table_.places.push_back({kind.role, parts_.elements.size()});
         parts_.elements.push_back({kind.kind, nodes, line});
-      } else {
-        places_.push_back(-1 - static_cast<int>(faces_.size()));
-        SolidFace& face = faces_.emplace_back(SolidFace{kind.nodes, {}});
-        std::copy_n(nodes.begin(), kind.nodes, face.nodes.begin());
+      } else {  // places by up to 8 nodes
+        table_.places.push_back({kind.role, table_.faces.size()});
+        SolidFace& face = table_.faces.emplace_back(SolidFace{count, {}});
+        std::copy_n(nodes.begin(), count, face.nodes.begin());
       }
     }
   }
 
   /// Reads an element, which goes on in the next line if its line ends in a comma; returns its
-  /// number.
-  int read_element(const std::string& type, int count, std::array<int, 20>& nodes) {
+  /// number. Has it `count` nodes, or `or_less` of them, `count` becomes their number.
+  int read_element(const std::string& type, bool or_less, int& count, std::array<int, 20>& nodes) {
     const int line = lines_.line();
     int label = 0;
     int found = 0;
@@ -157,6 +158,7 @@ class InpReader {
       }
       goes_on = found < count && lines_.goes_on() && lines_.next_data();
     }
+    if (or_less && found > 1) count = std::min(count, found);
     if (found != count)
       lines_.refuse(line, "element " + std::to_string(label) + " of type " + show_text(type) +
                               " has " + counted(found, "node") + ", expected " +
@@ -232,43 +234,20 @@ class InpReader {
     }
   }
 
-  InpMaterial& material_of() {
-    if (materials_.empty())
+  /// Refuses what makes another body, and notes what is left out, once each.
+  void pass_over() {
+    const auto [meaning, instead] = find_inp_meaning(keyword_.key, is_in_step_);
+    // The density of a section of surfaces.
+    const bool is_heavy = keyword_.key == "SURFACESECTION" && keyword_.find("DENSITY") != nullptr;
+    if (any_elements_ || (meaning == InpMeaning::harmless && !is_heavy)) return;
+    if (meaning == InpMeaning::not_built || is_heavy)
       lines_.refuse(keyword_.line, '*' + keyword_.name +
-                                       " belongs to no material, expected "
-                                       "*MATERIAL before it");
-    return materials_.back();
-  }
-  void read_elastic() {
-    InpMaterial& material = material_of();
-    const std::string* type = keyword_.find("TYPE");
-    material.is_isotropic = type == nullptr || in_capitals(*type).starts_with("ISO");
-    while (material.is_isotropic && lines_.next_data()) {
-      const auto& items = lines_.items();
-      if (items.size() < 2)
-        lines_.refuse("has " + counted(std::ssize(items), "item") +
-                      ", expected Young's modulus and Poisson's ratio");
-      material.values.youngs_modulus = lines_.number(items[0], "Young's modulus");
-      material.values.poissons_ratio = lines_.number(items[1], "Poisson's ratio");
-      ++material.elastic_lines;  // several: it depends on temperature
-    }
-  }
-  void read_density() {
-    InpMaterial& material = material_of();
-    if (!lines_.next_data()) lines_.refuse(keyword_.line, "has no density, expected one");
-    material.values.density = lines_.number(lines_.items()[0], "a density");
-  }
-
-  /// Returns the material of all sections, or else the only one.
-  std::optional<SolidMaterial> find_material() const {
-    const InpMaterial* found = nullptr;
-    for (const InpMaterial& material : materials_) {
-      if (!sections_.empty() && sections_.count(in_capitals(material.name)) == 0) continue;
-      if (found != nullptr) return std::nullopt;
-      found = &material;
-    }
-    if (found == nullptr || !found->is_isotropic || found->elastic_lines != 1) return std::nullopt;
-    return found->values;
+                                       " is not built, expected a mesh without (" +
+                                       (is_heavy ? "*MASS at its nodes" : instead) + ')');
+    if (!told_.insert(keyword_.key).second) return;
+    const std::string shown = show_text('*' + keyword_.name);  // in quotes
+    parts_.left_out.push_back(shown.substr(1, shown.size() - 2) + " (line " +
+                              std::to_string(keyword_.line) + ')');
   }
 
   void read_instance() {
@@ -283,11 +262,13 @@ class InpReader {
 
   void resolve() {
     const LabelIndex nodes(parts_.labels);
-    const LabelIndex elements(labels_);
+    const LabelIndex elements(table_.labels);
     check_repeated(nodes, parts_.labels, parts_.node_lines, "node", file_);
-    check_repeated(elements, labels_, element_lines_, "element", file_);
+    check_repeated(elements, table_.labels, table_.lines, "element", file_);
     nodes_.resolve(nodes, parts_.labels, false, "node", file_);
-    elements_.resolve(elements, labels_, has_ignored_, "element", file_);
+    elements_.resolve(elements, table_.labels, has_passed_over_, "element", file_);
+    if (!any_elements_)
+      parts_.masses = properties_.take_masses(table_, elements, elements_, lines_);
     take_surfaces(elements);
     for (const bool with_faces : {true, false}) {
       for (const InpSets::Set& set : elements_.sets()) take_element_set(set, elements, with_faces);
@@ -328,34 +309,43 @@ class InpReader {
                         FileSet& set) {
     const int at = elements.find(label);
     if (at < 0) {
-      if (has_ignored_) return;
+      if (has_passed_over_) return;
       lines_.refuse(entry.line, "names element " + std::to_string(label) +
                                     ", which the file does not have, expected the number of one");
     }
-    const int place = places_[static_cast<std::size_t>(at)];
-    if (place < 0) {
-      set.faces.push_back(faces_[static_cast<std::size_t>(-1 - place)]);
+    const auto [role, place] = table_.places[static_cast<std::size_t>(at)];
+    if (role == InpRole::face) {
+      set.faces.push_back(table_.faces[place]);
     } else {
-      const auto faces = faces_of(parts_.elements[static_cast<std::size_t>(place)]);
+      if (role != InpRole::volume)
+        lines_.refuse(entry.line, "names element " + std::to_string(label) +
+                                      ", which has no faces, expected one of a volume or a face");
+      const auto faces = faces_of(parts_.elements[place]);
       if (entry.face < 1 || entry.face > static_cast<int>(faces.size()))
         lines_.refuse(entry.line, "names no face of element " + std::to_string(label) +
                                       ", expected S1 to S" + std::to_string(faces.size()));
       set.faces.push_back(faces[static_cast<std::size_t>(entry.face - 1)]);
     }
-    set.face_lines.push_back(element_lines_[static_cast<std::size_t>(at)]);
+    set.face_lines.push_back(table_.lines[static_cast<std::size_t>(at)]);
+  }
+
+  template <class Nodes>
+  static void add_nodes(const Nodes& nodes, int count, FileSet& set) {
+    set.nodes.insert(set.nodes.end(), nodes.begin(), nodes.begin() + count);
   }
 
   void take_element_set(const InpSets::Set& set, const LabelIndex& elements, bool with_faces) {
     FileSet made{set.name, {}, {}, {}};
     for (const int label : set.members) {
       const auto at = static_cast<std::size_t>(elements.find(label));
-      if (places_[at] < 0) {
-        made.faces.push_back(faces_[static_cast<std::size_t>(-1 - places_[at])]);
-        made.face_lines.push_back(element_lines_[at]);
+      const auto [role, place] = table_.places[at];
+      if (role == InpRole::face) {
+        made.faces.push_back(table_.faces[place]);
+        made.face_lines.push_back(table_.lines[at]);
+      } else if (!with_faces && role == InpRole::volume) {
+        add_nodes(parts_.elements[place].nodes, count_nodes(parts_.elements[place].kind), made);
       } else if (!with_faces) {
-        const SolidElement& element = parts_.elements[static_cast<std::size_t>(places_[at])];
-        made.nodes.insert(made.nodes.end(), element.nodes.begin(),
-                          element.nodes.begin() + count_nodes(element.kind));
+        add_nodes(table_.faces[place].nodes, table_.faces[place].count, made);
       }
     }
     if (with_faces == made.faces.empty()) return;
@@ -364,25 +354,22 @@ class InpReader {
 
   InpLines lines_;
   const std::string& file_;
-  bool any_elements_;  // those of unknown types are passed over
+  bool any_elements_;  // only nodes and sets count: all other things are passed over
   InpKeyword keyword_;
   MeshParts parts_;
-  // Elements of volumes and faces in the order of the file.
-  std::vector<int> labels_;
-  std::vector<int> element_lines_;
-  std::vector<int> places_;  // index of the volume, or -1 - index of the face
-  std::vector<SolidFace> faces_;
-  bool has_ignored_ = false;
+  InpElementTable table_;
+  bool has_passed_over_ = false;
   InpSets nodes_;
   InpSets elements_;
   std::vector<Surface> surfaces_;
   std::vector<SurfaceEntry> surface_entries_;
-  std::vector<InpMaterial> materials_;
-  std::set<std::string> sections_;
-  std::set<std::string> taken_;
+  InpMaterials materials_;
+  InpProperties properties_;
+  std::set<std::string> told_;   // keywords
+  std::set<std::string> taken_;  // names of sets
   int parts_read_ = 0;
   int instances_read_ = 0;
-  bool is_in_assembly_ = false, is_in_instance_ = false;
+  bool is_in_assembly_ = false, is_in_instance_ = false, is_in_step_ = false;
 };
 
 }  // namespace

@@ -44,6 +44,7 @@ class MeshCheck {
     check_faces();
     check_connection();
     for (const SolidNodeSet& set : mesh_.sets) check_set(set);
+    check_masses();
   }
 
  private:
@@ -128,13 +129,27 @@ class MeshCheck {
     check_mid_nodes(e);
     const double size = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).maxCoeff();
     const double ratio = least_volume_ratio(element.kind, x);
-    if (ratio > 1e-9 * size * size * size) return;
-    const bool is_flat = std::abs(ratio) <= 1e-9 * size * size * size;
+    const double least = 1e-9 * size * size * size;
+    if (ratio > least) return check_at_nodes(e, x, least);
+    const bool is_flat = std::abs(ratio) <= least;
     refuse_element(e, std::string(is_flat ? "is degenerate" : "is inverted") + " at " +
                           name(element.nodes[0]) +
                           (is_flat ? ", expected a positive volume everywhere in it"
                                    : ", expected a positive volume everywhere in it and nodes in "
                                      "the order of the format"));
+  }
+
+  /// No fold within an element whose points of integration are all well: a quarter-point node, with
+  /// no volume at the corner, is just allowed.
+  void check_at_nodes(std::size_t e, const NodeColumns& x, double least) const {
+    const SolidElement& element = mesh_.elements[e];
+    const NodeVolume found = least_volume_at_nodes(element.kind, x);
+    if (found.ratio >= -least) return;
+    refuse_element(e, "is inverted near " +
+                          name(element.nodes[static_cast<std::size_t>(found.node)]) +
+                          ", expected a positive volume everywhere in it: mid nodes within a "
+                          "quarter of their edge from its middle, and nodes in the order of the "
+                          "format");
   }
 
   void check_mid_nodes(std::size_t e) const {
@@ -230,6 +245,18 @@ class MeshCheck {
         if (!std::binary_search(set.nodes.begin(), set.nodes.end(), face.nodes[n]))
           refuse(start + "with a face at a node of index " + std::to_string(face.nodes[n]) +
                  ", expected nodes of the set");
+    }
+  }
+
+  void check_masses() const {
+    for (const auto& [node, mass] : mesh_.masses) {
+      if (node < 0 || static_cast<std::size_t>(node) >= mesh_.nodes.size())
+        refuse("has a mass at a node of index " + std::to_string(node) + ", expected 0 to " +
+               std::to_string(mesh_.nodes.size() - 1));
+      if (mass >= 0.0 && std::isfinite(mass)) continue;
+      std::ostringstream text;
+      text << "has a mass of " << mass << " kg at " << name(node) << ", expected 0 or more";
+      refuse(text.str());
     }
   }
 

@@ -27,6 +27,49 @@ void find_nodes(std::span<int> nodes, const LabelIndex& index, const std::string
   }
 }
 
+[[noreturn]] void refuse_loose(const std::string& file, int line, const std::string& what,
+                               const char* kind) {
+  refuse_mesh(file, line,
+              what + " has a node of no volume element, expected places of the body: " + kind +
+                  " are not built");
+}
+
+/// Refuses lines that are not on volumes.
+void check_lines(const std::vector<FileLine>& lines, const LabelIndex& index,
+                 const std::vector<int>& place, const std::string& file) {
+  for (const FileLine& line : lines) {
+    std::array<int, 2> ends = line.ends;
+    find_nodes(ends, index, file, line.line);
+    for (const int node : ends)
+      if (place[static_cast<std::size_t>(node)] < 0)
+        refuse_loose(file, line.line, "a line of a physical group", "beams");
+  }
+}
+
+/// Makes point masses, whose nodes must be those of elements.
+std::vector<spatial::SolidNodeMass> make_masses(const std::vector<FileMass>& masses,
+                                                const LabelIndex& index,
+                                                const std::vector<int>& place,
+                                                const std::string& file, double length_scale) {
+  std::vector<spatial::SolidNodeMass> made;
+  for (const FileMass& mass : masses) {
+    std::array<int, 1> node{mass.node};
+    find_nodes(node, index, file, mass.line);
+    const int at = place[static_cast<std::size_t>(node[0])];
+    if (at < 0)
+      refuse_mesh(file, mass.line,
+                  "a point mass is at node " + std::to_string(mass.node) +
+                      ", which no volume element has, expected a node of one (or a rigid body on "
+                      "an interface)");
+    if (length_scale != 1.0)
+      refuse_mesh(file, mass.line,
+                  "a point mass is in a file with scale.length, so that its unit is not known, "
+                  "expected a file in SI units (or a rigid body on an interface)");
+    made.push_back({at, mass.mass});
+  }
+  return made;
+}
+
 /// Makes a set of indices of the mesh from one of indices of the list.
 spatial::SolidNodeSet make_set(FileSet&& set, const LabelIndex& index,
                                const std::vector<int>& place, const std::string& file) {
@@ -42,7 +85,8 @@ spatial::SolidNodeSet make_set(FileSet&& set, const LabelIndex& index,
     const std::span nodes(face.nodes.data(), static_cast<std::size_t>(face.count));
     find_nodes(nodes, index, file, set.face_lines[f]);
     for (int& node : nodes) node = place[static_cast<std::size_t>(node)];
-    if (std::any_of(nodes.begin(), nodes.end(), [](int node) { return node < 0; })) continue;
+    if (std::any_of(nodes.begin(), nodes.end(), [](int node) { return node < 0; }))
+      refuse_loose(file, set.face_lines[f], "a face of the set " + show_text(made.name), "shells");
     made.nodes.insert(made.nodes.end(), nodes.begin(), nodes.end());
     made.faces.push_back(face);
   }
@@ -124,6 +168,10 @@ std::shared_ptr<spatial::SolidMesh> assemble_mesh(MeshParts&& parts, const std::
     }
   for (FileSet& set : parts.sets)
     mesh->sets.push_back(make_set(std::move(set), index, place, file));
+  check_lines(parts.lines, index, place, file);
+  mesh->masses = make_masses(parts.masses, index, place, file, length_scale);
+  mesh->left_out = std::move(parts.left_out);
+  mesh->material_fault = std::move(parts.material_fault);
   return mesh;
 }
 

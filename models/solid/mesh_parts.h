@@ -2,6 +2,7 @@
 
 // What a mesh file says, by the numbers that it gives to its nodes; and the mesh made of it.
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -43,18 +44,34 @@ struct FileSet {
   std::vector<int> face_lines;
 };
 
+/// A mass at a node.
+struct FileMass {
+  int node = 0;       ///< number of its node
+  double mass = 0.0;  ///< in the file's unit
+  int line = 0;
+};
+/// A line of a named group.
+struct FileLine {
+  std::array<int, 2> ends{};  ///< numbers of its first two nodes
+  int line = 0;
+};
+
 /// Nodes, elements and sets as a file has them. Elements and sets name nodes by their numbers.
 struct MeshParts {
   std::vector<int> labels;
   std::vector<spatial::Vector> nodes;
   std::vector<int> node_lines;
   std::vector<spatial::SolidElement> elements;
-  std::vector<FileSet> sets;  ///< names differ
+  std::vector<FileSet> sets;     ///< names differ
+  std::vector<FileLine> lines;   ///< that must lie on volumes: of groups that may be meant as beams
+  std::vector<FileMass> masses;  ///< several at one node add up
+  std::vector<std::string> left_out;  ///< as in spatial::SolidMesh
+  std::string material_fault;         ///< likewise
 };
 
 /// Makes a mesh: its nodes are those that elements use, or all if there are no elements, in
-/// ascending order of their numbers; places times `length_scale`. Faces of sets that are not of
-/// such nodes are left out. Throws InputError.
+/// ascending order of their numbers; places times `length_scale`. Throws InputError, so of faces
+/// and lines in sets and of masses at other nodes.
 std::shared_ptr<spatial::SolidMesh> assemble_mesh(MeshParts&& parts, const std::string& file,
                                                   double length_scale);
 

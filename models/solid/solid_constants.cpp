@@ -53,6 +53,10 @@ void add_mesh(const spatial::SolidMesh& mesh, CacheKey& key) {
     key.add(element.nodes.data(),
             sizeof(int) * static_cast<std::size_t>(spatial::count_nodes(element.kind)));
   }
+  for (const auto& [node, mass] : mesh.masses) {
+    key.add(std::int64_t{node});
+    key.add(mass);
+  }
 }
 
 /// Returns the hash of all that the constants follow from.

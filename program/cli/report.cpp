@@ -9,9 +9,7 @@
 
 #include "engine/support/csv_cell.h"
 #include "models/count_text.h"
-#include "models/reader/angle_hints.h"
-#include "models/reader/spatial/air_hints.h"
-#include "models/reader/spatial/solid_hints.h"
+#include "models/hints.h"
 #include "program/cli/standard_streams.h"
 
 namespace spoke::cli {
@@ -54,11 +52,7 @@ void print_plan(const Simulation& simulation, int processes) {
 }
 
 void warn_of_oddities(const std::string& file, const Scenario& scenario) {
-  for (const std::string& hint : find_angle_hints(scenario))
-    print_error(one_line("warning: " + file + ": " + hint));
-  for (const std::string& hint : find_air_hints(scenario))
-    print_error(one_line("warning: " + file + ": " + hint));
-  for (const std::string& hint : find_solid_hints(scenario))
+  for (const std::string& hint : find_hints(scenario))
     print_error(one_line("warning: " + file + ": " + hint));
 }
 

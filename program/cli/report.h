@@ -26,8 +26,8 @@ void print_model(const Simulation& simulation);
 /// Prints the model, and how its steps are solved on each of so many processes.
 void print_plan(const Simulation& simulation, int processes);
 
-/// Warns on stderr of what is valid but looks wrong, a line each: kinds of angles that seem to be
-/// given in degrees, drag below zero, solids that are too stiff. `file`: the scenario's.
+/// Warns on stderr of what is valid but looks wrong, find_hints(), a line each. `file`: the
+/// scenario's.
 void warn_of_oddities(const std::string& file, const Scenario& scenario);
 
 /// Returns the heads of the columns of sensors.csv behind the time's, as cells (csv_cell.h).

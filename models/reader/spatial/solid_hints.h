@@ -1,6 +1,6 @@
 #pragma once
 
-// Hints at solids that are valid but too stiff.
+// Hints at solids that are valid, but may not be what is meant.
 
 #include <string>
 #include <vector>
@@ -9,8 +9,9 @@
 
 namespace spoke {
 
-/// Returns a sentence for each mesh with linear elements, which lock: "the mesh of bracket / arm
-/// has linear elements (tet4), which ...".
+/// Returns sentences: for each mesh with linear elements, which lock, "the mesh of bracket / arm
+/// has linear elements (tet4), which ..."; for each whose file says what the solid has not, or has
+/// another material.
 std::vector<std::string> find_solid_hints(const Scenario& scenario);
 
 }  // namespace spoke
