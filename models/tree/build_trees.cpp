@@ -9,6 +9,7 @@
 #include "models/space/reference_curve.h"
 #include "models/space/rotation_vector.h"
 #include "models/tree/beam_cuts.h"
+#include "models/tree/space_beam.h"
 #include "models/tree/tree.h"
 
 namespace spoke::spatial {
@@ -31,11 +32,17 @@ std::optional<std::size_t> find_node(const FlexibleBody& body, double station, d
   return std::nullopt;
 }
 
+/// Moves the frame in which a joint is placed by the joint's own offset and orientation.
+Placement take_offset(const Placement& placement, Joint& joint) {
+  const Placement moved = placement * Placement{joint.offset, rotation_of(joint.orientation)};
+  joint.offset = joint.orientation = Vector::Zero();
+  return moved;
+}
+
 /// Adds a body on a handle. The joint's offset and orientation become the placement.
 int add_body(Tree& tree, std::string name, decltype(TreeBody::shape) shape, const Handle& parent,
              Placement placement, Joint joint) {
-  placement = placement * Placement{joint.offset, rotation_of(joint.orientation)};
-  joint.offset = joint.orientation = Vector::Zero();
+  placement = take_offset(placement, joint);
   tree.bodies.push_back(
       {std::move(name), std::move(shape), parent.body, parent.node, placement, std::move(joint)});
   return static_cast<int>(tree.bodies.size()) - 1;
@@ -48,14 +55,29 @@ struct BeamRoot {
   Joint joint;          ///< joint of the beam's first body, if no joint of `inner` is at the root
 };
 
+/// Returns the root of a beam whose axis may begin beside the origin of the beam's frame: there its
+/// first body has its own. A joint at the beam's root stands on the axis, as joints further out do;
+/// the one that carries the beam, which is fixed, at the origin.
+BeamRoot move_to_axis(BeamRoot root, const Beam& beam, bool has_joint_at_root) {
+  const Vector begin = find_axis_begin(beam.sections);
+  if (begin.isZero(0.0)) return root;
+  assert(has_joint_at_root || root.joint.kind == JointKind::fixed);
+  if (!has_joint_at_root) root.placement = take_offset(root.placement, root.joint);
+  root.placement = root.placement * Placement{begin, Tensor::Identity()};
+  return root;
+}
+
 /// Adds the bodies of a beam; `inner` joints part it, there are nodes at `places`.
-void add_beam(Tree& tree, const Beam& beam, const std::string& name, const BeamRoot& root,
+void add_beam(Tree& tree, const Beam& beam, const std::string& name, const BeamRoot& carried,
               const std::vector<BladeJoint>& inner, const std::vector<double>& places) {
   std::vector<double> cuts;
   for (const BladeJoint& joint : inner) cuts.push_back(joint.station);
   const std::size_t index = tree.beams.size();
   tree.beams.push_back(beam);
   const std::vector<std::vector<double>> all_nodes = cut_beam(beam, cuts, places);
+  const bool has_joint_at_root =
+      !cuts.empty() && std::abs(cuts.front() - all_nodes.front().front()) <= resolution_of(beam);
+  const BeamRoot root = move_to_axis(carried, beam, has_joint_at_root);
   Handle parent = root.parent;
   Placement placement = root.placement;
   for (std::size_t i = 0; i < all_nodes.size(); ++i) {

@@ -115,6 +115,10 @@ space::Twist make_strain_factors(const DirectionDamping& damping) {
 
 }  // namespace
 
+Vector find_axis_begin(const Sections& sections) {
+  return {0.0, value_at(sections.sweep, 0), value_at(sections.prebend, 0)};
+}
+
 space::Beam make_space_beam(const Beam& beam, const DirectionDamping& damping) {
   assert(has_fine_stations(beam));
   const Sections& s = beam.sections;

@@ -11,4 +11,8 @@ namespace spoke::spatial {
 /// Precondition: the beam is fine.
 space::Beam make_space_beam(const Beam& beam, const DirectionDamping& damping = {});
 
+/// Returns where the axis begins in the beam's frame: its sweep and prebend at the first station
+/// [m].
+Vector find_axis_begin(const Sections& sections);
+
 }  // namespace spoke::spatial

@@ -8,6 +8,7 @@
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/solid_faults.h"
 #include "models/support/nearest_name.h"
+#include "models/tree/space_beam.h"
 
 namespace spoke::spatial {
 namespace {
@@ -54,6 +55,18 @@ Fault find_link_fault(const SubsystemJoint& joint, const Subsystem& subsystem, c
   const bool is_on_base = joint.parent == base.name;
   return find_place_fault(is_on_base ? nullptr : &subsystem.bodies[names.at(joint.parent)],
                           joint.station, joint.interface);
+}
+
+/// Finds a joint that moves a beam whose axis begins beside the joint: no body is between the two.
+Fault find_axis_fault(const SubsystemJoint& joint, const Body& child) {
+  const auto* beam = std::get_if<Beam>(&child.shape);
+  if (beam == nullptr || joint.joint.kind == JointKind::fixed) return {};
+  const Vector begin = find_axis_begin(beam->sections);
+  if (begin.isZero(0.0)) return {};
+  return {"kind", "is \"" + std::string(name_of(joint.joint.kind)) + "\", but the axis of \"" +
+                      child.name + "\" begins beside the joint, at sweep = " + describe(begin.y()) +
+                      " and prebend = " + describe(begin.z()) +
+                      "; expected \"fixed\", or a beam whose sweep and prebend are 0 at its root"};
 }
 
 /// Finds a body with two parents, with none, or in a circle, where the names of joints are fine.
@@ -129,6 +142,8 @@ Fault find_fault(const Subsystem& subsystem, const TreeBase& base) {
     const std::string path = "joint." + std::to_string(i + 1);
     first.add(find_link_fault(joint, subsystem, base, names).within(path));
     first.add(find_fault(joint.joint).within(path));
+    if (!first.found())
+      first.add(find_axis_fault(joint, subsystem.bodies[names.at(joint.child)]).within(path));
     if (!joint.joint.name.empty() && !joint_names.insert(joint.joint.name).second)
       first.add({path + ".name",
                  "is \"" + joint.joint.name + "\" as another joint's, expected a name of its own"});

@@ -1,9 +1,12 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <numbers>
+#include <string>
 
 #include "models/space/reference_curve.h"
 #include "models/tree/tree.h"
+#include "tests/message_of.h"
 #include "tests/models/reader/loop_texts.h"
 #include "tests/models/reader/spatial_texts.h"
 
@@ -173,4 +176,59 @@ TEST_CASE("places of a blade's loop on hub, mount and anchors are turned by its 
   CHECK((placement_of(1).rotation * Vector::UnitX()).isApprox(Vector::UnitY(), 1e-14));
   model.hub.axis = {0.0, 3.0, 0.0};
   CHECK(placement_of(1).position.isApprox(Vector(0.0, 0.2, -0.5), 1e-14));
+}
+
+namespace {
+
+/// A blade of 20 m and 25 kg/m whose axis begins 0.3 m beside its frame, straight along x.
+const std::string kBesideText =
+    "world = \"space\"\n[hub]\nradius = 0.5\n[hub.drive]\nkind = \"constant\"\nspeed = 15.0\n"
+    "[blade]\ncount = 1\nlength = 20.0\nbodies = 2\n[blade.sections]\nsweep = 0.3\nprebend = -0.2\n"
+    "mass_per_length = 25.0\naxial_stiffness = 1e9\nflap_stiffness = 2e7\nlag_stiffness = 8e7\n"
+    "torsion_stiffness = 5e6\nflap_inertia = 0.5\nlag_inertia = 2.0\n"
+    "[integration]\nduration = 1.0\nstep = 0.005\n";
+
+MassProperties mass_of(const std::string& text) {
+  const Model model = read(text);
+  return calc_mass_properties(build_trees(model)[0]);
+}
+
+}  // namespace
+
+TEST_CASE("an axis that begins beside the root has its mass there") {
+  // A rod from (0.5, 0.3, -0.2) to (20.5, 0.3, -0.2).
+  const MassProperties m = mass_of(kBesideText);
+  CHECK(m.mass == Approx(500.0));
+  CHECK(m.first_moment.isApprox(Vector(500.0 * 10.5, 150.0, -100.0), 1e-12));
+  const double xx = 25.0 * (std::pow(20.5, 3) - std::pow(0.5, 3)) / 3.0;
+  const double yy = 500.0 * 0.09 + 20.0 * 2.0, zz = 500.0 * 0.04 + 20.0 * 0.5;
+  Tensor inertia;
+  inertia << yy + zz, -0.3 * 5250.0, 0.2 * 5250.0, -0.3 * 5250.0, xx + zz, 500.0 * 0.06,
+      0.2 * 5250.0, 500.0 * 0.06, xx + yy;
+  CHECK(m.inertia.isApprox(inertia, 1e-12));
+}
+
+TEST_CASE("a joint at the root of such an axis stands on it, one that carries it at its frame") {
+  const std::string joint =
+      "[[blade.joint]]\nstation = 0.0\nkind = \"revolute\"\naxis = [0, 1, 0]\n"
+      "offset = [0.0, 0.1, 0.0]\n";
+  const Tree hinged = build_trees(read(kBesideText + joint))[0];
+  CHECK(calc_placements(hinged)[0].position.isApprox(Vector(0.5, 0.4, -0.2), 1e-14));
+  CHECK(hinged.bodies[0].joint.kind == JointKind::revolute);
+  const std::string body =
+      "world = \"space\"\n[hub.drive]\nkind = \"fixed\"\n[[subsystem]]\nname = \"s\"\n"
+      "[[subsystem.body]]\nname = \"b\"\nkind = \"beam\"\nlength = 20.0\n"
+      "[subsystem.body.sections]\nsweep = 0.3\nmass_per_length = 25.0\naxial_stiffness = 1e9\n"
+      "flap_stiffness = 2e7\nlag_stiffness = 8e7\ntorsion_stiffness = 5e6\n"
+      "[[subsystem.joint]]\nparent = \"hub\"\nchild = \"b\"\nkind = \"fixed\"\n"
+      "offset = [1.0, 0.0, 0.0]\norientation = [0.0, 0.0, 1.5707963267948966]\n"
+      "[integration]\nduration = 1.0\nstep = 0.005\n";
+  const Tree fixed = build_trees(read(body))[0];
+  CHECK(calc_placements(fixed)[0].position.isApprox(Vector(0.7, 0.0, 0.0), 1e-14));
+  const std::string moving =
+      edited(body, "kind = \"fixed\"\noffset", "kind = \"revolute\"\naxis = [0, 0, 1]\noffset");
+  CHECK(spoke::test::message_of([&] { read(moving); })
+            .find("subsystem.1.joint.1.kind: is \"revolute\", but the axis of \"b\" begins beside "
+                  "the joint, at sweep = 0.3 and prebend = 0; expected \"fixed\", or a beam whose "
+                  "sweep and prebend are 0 at its root") != std::string::npos);
 }

@@ -84,3 +84,27 @@ kind = "fixed"
   CHECK(std::abs(carried.z()) > 1e-3);
   CHECK((hung - carried).norm() < 1e-2 * carried.norm());
 }
+
+TEST_CASE("an axis that begins beside the root moves as one behind a rigid arm") {
+  const auto blade = [](const std::string& shape) {
+    return "[blade]\ncount = 2\nlength = 6.0\nbodies = 2\nelements = 3\n[blade.sections]\nstation "
+           "= "
+           "[0.0, 2.0, 6.0]\n" +
+           shape +
+           "mass_per_length = 4.0\naxial_stiffness = 1e7\nflap_stiffness = 2e4\nlag_stiffness = "
+           "6e4\ntorsion_stiffness = 1e4\nflap_inertia = 0.01\nlag_inertia = 0.05\n";
+  };
+  const std::string beside = blade("sweep = [0.3, 0.35, 0.7]\nprebend = [-0.2, -0.1, 0.3]\n");
+  const std::string behind =
+      blade("sweep = [0.0, 0.05, 0.4]\nprebend = [0.0, 0.1, 0.5]\n") +
+      "[[blade.joint]]\nstation = 0.0\nkind = \"fixed\"\noffset = [0.0, 0.3, -0.2]\n";
+  for (const std::string& hub : {kTurnedHub, kDrivenHub}) {
+    const RunSetup setup{make_generalized_alpha(0.8, 5e-3)};
+    Run<Space> a(make_system(parse_model(make_text(hub, beside, kGravity))), setup);
+    Run<Space> b(make_system(parse_model(make_text(hub, behind, kGravity))), setup);
+    a.advance(100);
+    b.advance(100);
+    CHECK(deformations(a).norm() > 1e-3);
+    CHECK(largest_difference(a, b) < 1e-9);
+  }
+}
