@@ -81,7 +81,7 @@ double SeriesStatistics::deviation() const {
   return std::sqrt(squares_ / static_cast<double>(count_));
 }
 
-double SensorSeries::value(std::span<const double> row) const {
+double SensorSeries::ranged_value(std::span<const double> row) const {
   if (!axis) return row[sensor];
   return (*axis)[0] * row[first] + (*axis)[1] * row[first + 1] + (*axis)[2] * row[first + 2];
 }
@@ -105,10 +105,10 @@ void RunStatistics::add_row(double t, std::span<const double> values) {
   if (rows_++ == 0) first_ = t;
   last_ = t;
   for (SensorSeries& series : series_) {
-    const double value = series.value(values);
-    if (!std::isfinite(value)) continue;
-    series.values.add(value);
-    if (series.ranges) series.ranges->add(value);
+    if (const double value = values[series.sensor]; std::isfinite(value)) series.values.add(value);
+    if (!series.ranges) continue;
+    if (const double value = series.ranged_value(values); std::isfinite(value))
+      series.ranges->add(value);
   }
 }
 

@@ -39,21 +39,21 @@ class SPOKE_EXPORT SeriesStatistics {
   double max_ = -std::numeric_limits<double>::infinity();
 };
 
-/// Statistics of one sensor. Values that are not finite do not count. Root moments of blades in
-/// space, whose sensors are in the hub's frame, are taken about the axes of the blade's own root: x
-/// along the blade, y flapwise, z edgewise.
+/// Statistics of one sensor. Values that are not finite do not count.
 struct SensorSeries {
   std::size_t sensor = 0;  ///< its place in Simulation::sensor_names()
   SeriesStatistics values{};
-  std::optional<EquivalentRange> ranges{};  ///< of root moments alone
-  double exponent = 0.0;                    ///< of Woehler's curve, of these
-  /// The axis of a moment in the hub's frame whose three sensors begin at `first`; none: the sensor
-  /// as it is.
+  /// Of root moments alone. Those of blades in space, whose sensors are in the hub's frame, are of
+  /// the moment about the axes of the blade's own root: x along the blade, y flapwise, z edgewise.
+  std::optional<EquivalentRange> ranges{};
+  double exponent = 0.0;  ///< of Woehler's curve, of the ranges
+  /// The axis of these in the hub's frame, along which the moment's three sensors from `first` on
+  /// are taken; none: the sensor as it is.
   std::optional<std::array<double, 3>> axis{};
   std::size_t first = 0;
 
-  /// Returns its value in a row.
-  double value(std::span<const double> row) const;
+  /// Returns the value of a row whose ranges count.
+  double ranged_value(std::span<const double> row) const;
 };
 
 /// Collects statistics of a run's rows: of the sensors "air.power", "air.thrust", "hub.speed" and

@@ -41,8 +41,8 @@ std::string describe(const RunStatistics& rows) {
   if (std::any_of(series.begin(), series.end(), [](const auto& s) { return s.ranges.has_value(); }))
     text += fmt::format(
         " The damage-equivalent range is that of a sine of {:g} Hz which does the same damage in "
-        "that time, by rainflow counting and {}. Root moments of blades are about the axes of "
-        "their own roots.",
+        "that time, by rainflow counting and {}. Ranges of moments of blades are about "
+        "the axes of their own roots.",
         RunStatistics::kFrequency, describe_exponents(series));
   return text;
 }
