@@ -53,19 +53,29 @@ struct CampbellGap {
   std::string reason;     ///< why no equilibrium was found
 };
 
+/// A branch that ends: its mode is not found again, as it is none of the lowest modes there, or its
+/// shape changes within less than a thousandth of the step.
+struct CampbellLoss {
+  std::size_t branch = 0;
+  std::size_t last = 0;  ///< index of the last speed at which its mode was found
+  std::size_t lost = 0;  ///< index of the speed at which it was not
+};
+
 /// A Campbell diagram.
 struct CampbellResult {
   std::vector<ModesResult> states;  ///< by speed; a gap has a speed, but no modes
   std::vector<CampbellGap> gaps;    ///< in order of speeds
   std::vector<CampbellBranch> branches;
   std::vector<CampbellCrossing> crossings;  ///< in order of branch, harmonic and speed
+  std::vector<CampbellLoss> losses;         ///< in order of branches
 };
 
 /// Finds the modes at each speed independently, and follows them by their shapes: from each speed
-/// to the next, pairs with the largest modal assurance criterion are joined first. A speed at which
-/// no equilibrium is found is a gap, across which modes are followed. Throws like solve_modes(),
-/// but DivergenceError only if it would at all speeds but one; InputError unless speeds ascend and
-/// are two or more.
+/// to the next, modes are paired so that the modal assurance criteria by mass have the largest sum;
+/// where that is in doubt, speeds between the two are looked at. A branch that cannot be followed
+/// ends. A speed at which no equilibrium is found is a gap, across which modes are followed. Throws
+/// like solve_modes(), but DivergenceError only if it would at all speeds but one; InputError
+/// unless speeds ascend and are two or more.
 SPOKE_EXPORT CampbellResult solve_campbell(const Scenario& scenario,
                                            const CampbellOptions& options);
 

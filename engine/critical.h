@@ -31,6 +31,9 @@ struct CriticalOptions {
   /// Number of modes to look at, from the lowest frequency on, as in ModeOptions; none: 10, or as
   /// many as there are.
   std::optional<int> count = std::nullopt;
+  /// As in ModeOptions; not `floquet`. None: `fixed` for a rotor that turns on a support, else
+  /// `turning`.
+  std::optional<ModeFrame> frame = std::nullopt;
   /// Called with the number of values that are done. An exception that it throws ends the search.
   std::function<void(std::size_t)> progress{};
 };
@@ -46,6 +49,8 @@ enum class CriticalKind {
   critical_speed,
   limit_point,     ///< the equilibrium ends, as its stiffness does: snapping through
   no_equilibrium,  ///< none is found beyond, for another reason
+  /// The steady state that was followed ends, and another one is far from it: deflections jump.
+  jump,
 };
 
 /// The critical value.
@@ -60,6 +65,8 @@ struct CriticalPoint {
   std::optional<std::size_t> mode;  ///< index of the critical one among them; none: there are none
   std::string name;                 ///< of the critical mode, as at the value before: "lag 1"
   std::string of;                   ///< whose it is: "blade 1"
+  /// Of a jump: index in CriticalResult::states of the other steady state, a millionth beyond.
+  std::optional<std::size_t> beyond = std::nullopt;
 };
 
 /// What solve_critical() finds.
@@ -81,7 +88,8 @@ struct CriticalResult {
 SPOKE_EXPORT CriticalResult solve_critical(const Scenario& scenario,
                                            const CriticalOptions& options);
 
-/// Returns "buckling", "divergence", "flutter", "critical speed", "limit point", "no equilibrium".
+/// Returns "buckling", "divergence", "flutter", "critical speed", "limit point", "no equilibrium",
+/// "jump".
 SPOKE_EXPORT std::string_view name_of(CriticalKind kind);
 
 }  // namespace spoke

@@ -106,6 +106,23 @@ struct HubPlace {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< columns; z is the axis of rotation
 };
 
+/// What small motions about an equilibrium do.
+enum class SmallMotions {
+  decay,
+  persist,  ///< without damping they go on as they are
+  grow,     ///< the equilibrium is unstable: a run leaves it
+};
+
+/// Whether an equilibrium is stable, by the lowest roots of small motions about it.
+struct Stability {
+  SmallMotions motions = SmallMotions::persist;
+  /// Real part of the root that decays least, or grows most [1/s].
+  double rate = 0.0;
+  double frequency = 0.0;  ///< of that motion [rad/s]
+  std::string mode;        ///< its name, as `spoke modes` has it
+  std::string of;          ///< whose it is: "blade 1"
+};
+
 /// A model in equilibrium.
 struct EquilibriumResult {
   double speed = 0.0;  ///< of the hub [rad/s]
@@ -117,8 +134,10 @@ struct EquilibriumResult {
   Eigen::Vector3d hub_force{0.0, 0.0, 0.0};
   Eigen::Vector3d hub_moment{0.0, 0.0, 0.0};   ///< moment about its origin, hub frame [N m]
   std::optional<RotorAir> air = std::nullopt;  ///< none: no air acts
-  int iterations = 0;                          ///< of Newton's method, for all blades
-  int load_steps = 1;                          ///< number of steps in which loads were applied
+  /// None: not known, as of solve_modes(), whose modes tell, or where matrices are periodic.
+  std::optional<Stability> stability = std::nullopt;
+  int iterations = 0;        ///< of Newton's method, for all blades
+  int load_steps = 1;        ///< number of steps in which loads were applied
   double last_change = 0.0;  ///< change of a coordinate in the last iteration [rad, or by length]
   /// Reasons to doubt it: a body that bends beyond `limits.deflection`.
   std::vector<Warning> warnings{};

@@ -33,7 +33,9 @@ struct ModeOptions {
   /// the motion of the hub is prescribed; otherwise of the whole model. 1 or more; none: 10, or as
   /// many as there are. In the other frames: of the whole model.
   std::optional<int> count = std::nullopt;
-  /// None: `fixed` for a rotor on a support, else `turning`.
+  /// None: `fixed` for a rotor on a support, else `turning`. On a support a rotor that has no modes
+  /// in that frame, of two blades or unequal ones, has them in `turning` at rest, else in
+  /// `floquet`; a note says so.
   std::optional<ModeFrame> frame = std::nullopt;
 };
 
@@ -84,6 +86,9 @@ struct Mode {
   /// Free coordinates of the hub, then all others in the order of the model; in the frame `fixed`
   /// multi-blade coordinates, conjugate where blades have a negative frequency.
   Eigen::VectorXcd coordinates;
+  /// The same motion of lumped masses relative to the hub, of the subsystems that move, then of the
+  /// hub, each times the square root of its mass or inertia: a product of two modes is by mass.
+  Eigen::VectorXcd weighed;
   ModeEnergy energy;
   /// In the frame `floquet`: harmonics with a share above 1e-6, by ascending multiple. Shape and
   /// energy are those of the strongest.
@@ -102,15 +107,17 @@ struct ModesResult {
   /// Bodies of subsystems, of those that are alike together: "blades 1 to 3 / body 2".
   std::vector<std::string> bodies;
   bool are_blades_coupled = false;
+  /// What a reader of the modes should know: a frame that was chosen, air at rest, fewer modes.
+  std::vector<std::string> notes;
   std::vector<Mode> modes;  ///< by ascending magnitude of the eigenvalue; uncoupled: blade by blade
 };
 
 /// Finds the lowest modes of a scenario's model about its equilibrium (solve_equilibrium()), in the
 /// frame that turns with the hub, where the linearised system is constant, or in another one
 /// (docs/modes.md). Throws like solve_equilibrium(), except that a motion which nothing holds is a
-/// mode of frequency zero. Throws InputError if fewer modes exist than are asked for, if forces on
-/// a free hub are not in balance, or if the frame is not for such a model; DivergenceError, in the
-/// frame `floquet`, if gravity across the axis causes no periodic motion.
+/// mode of frequency zero. If fewer modes exist than are asked for, a note says so. Throws
+/// InputError if forces on a free hub are not in balance, or if the frame is not for such a model;
+/// DivergenceError, in the frame `floquet`, if gravity across the axis causes no periodic motion.
 SPOKE_EXPORT ModesResult solve_modes(const Scenario& scenario, const ModeOptions& options = {});
 
 }  // namespace spoke

@@ -12,8 +12,9 @@
 namespace spoke::vibration {
 namespace {
 
-/// Change of a coordinate, by its scale, up to which a step is not looked into.
-constexpr double kSmallChange = 0.05;
+/// Change of a coordinate, by its scale, up to which a step is not looked into: of round-off's
+/// order. Branches may be near: an unbalanced shaft jumps by a hundredth of its length.
+constexpr double kSmallChange = 1e-6;
 /// Share of a change that may come in one half of a step. Near a limit point, where an equilibrium
 /// goes with the square root of the distance, it is 0.71; where it jumps it tends to 1.
 constexpr double kLargestShare = 0.8;

@@ -138,15 +138,17 @@ struct Unnumbered {
   PatternMotion motion;
   double of_hub = 0.0;
   double magnitude = 0.0;  ///< of the root in the blades' frame [rad/s]
-  std::string kind;
+  std::string kind;        ///< of its motion
+  std::string own_kind;    ///< the same, or "overdamped ..."
   bool is_of_support = false;
+  bool is_of_hub = false;
 };
 
 Unnumbered describe(const Root& root, const Fixed& fixed, std::map<std::string, KindNames>& kinds) {
   constexpr double kAlike = 1e-6;
   Unnumbered found;
   const VectorXcd hub = root.x.head(fixed.frame.model.M.rows());
-  if (hub.size() > 0) found.of_hub = calc_hub_energy(hub, fixed.frame.model);
+  if (hub.size() > 0) found.of_hub = calc_mass(hub, calc_carried_mass(fixed.frame.model));
   for (std::size_t k = 0; k < fixed.frame.patterns.size(); ++k) {
     PatternMotion motion = describe_pattern(k, root, fixed);
     if (k > 0 && motion.mass <= found.motion.mass * (1.0 + kAlike)) continue;
@@ -162,6 +164,7 @@ Unnumbered describe(const Root& root, const Fixed& fixed, std::map<std::string, 
   const bool is_of_hub =
       fixed.frame.patterns.empty() || (found.of_hub > 0.5 && found.motion.mass < 0.25);
   if (is_of_hub) {
+    found.is_of_hub = true;
     found.kind = "hub";
     return found;
   }
@@ -174,19 +177,32 @@ Unnumbered describe(const Root& root, const Fixed& fixed, std::map<std::string, 
   return found;
 }
 
+/// Returns the pattern of overdamped vibrations in which those of a pattern are: what creeps in the
+/// blades' frame goes round with them, and has one of two senses.
+std::string creeping_pattern(const std::string& name) {
+  const std::string progressive = "progressive", regressive = "regressive";
+  return name.starts_with(progressive) ? regressive + name.substr(progressive.size()) : name;
+}
+
 /// Returns for each mode its number among those of its kind and pattern, by magnitude in
-/// the blades' frame.
+/// the blades' frame. Those that are overdamped have numbers of their own, and count besides.
 std::vector<int> number(const std::vector<Unnumbered>& modes) {
   std::map<std::pair<std::string, std::string>, std::vector<std::size_t>> alike;
-  for (std::size_t k = 0; k < modes.size(); ++k)
-    alike[{modes[k].kind, modes[k].motion.name}].push_back(k);
+  std::map<std::pair<std::string, std::string>, int> creeping;
+  for (std::size_t k = 0; k < modes.size(); ++k) {
+    alike[{modes[k].own_kind, modes[k].motion.name}].push_back(k);
+    if (modes[k].own_kind != modes[k].kind)
+      ++creeping[{modes[k].kind, creeping_pattern(modes[k].motion.name)}];
+  }
   std::vector<int> numbers(modes.size());
   for (auto& [name, list] : alike) {
     std::stable_sort(list.begin(), list.end(), [&](std::size_t a, std::size_t b) {
       return modes[a].magnitude < modes[b].magnitude;
     });
+    const auto roots = creeping.find({name.first, creeping_pattern(name.second)});
+    const int before = roots == creeping.end() ? 0 : count_overdamped(roots->second);
     for (std::size_t place = 0; place < list.size(); ++place)
-      numbers[list[place]] = static_cast<int>(place) + 1;
+      numbers[list[place]] = before + static_cast<int>(place) + 1;
   }
   return numbers;
 }
@@ -211,7 +227,7 @@ std::vector<Root> find_enough(Index wanted, Index size, const FixedFrame& frame)
 Mode make_fixed_mode(const Root& root, const Unnumbered& found, const Fixed& fixed) {
   Mode mode = make_mode(root);
   mode.coordinates = found.motion.is_conjugate ? VectorXcd(root.x.conjugate()) : root.x;
-  mode.kind = found.kind;
+  mode.kind = found.own_kind;
   const Linearised& all = fixed.all;
   mode.of =
       all.linear.is_coupled()
@@ -229,6 +245,8 @@ Mode make_fixed_mode(const Root& root, const Unnumbered& found, const Fixed& fix
   }
   vibration::normalise(mode);
   mode.energy = energies.share_out(found.of_hub);
+  mode.weighed = energies.weigh(hub, calc_carried_mass(fixed.frame.model));
+  if (found.motion.is_conjugate) mode.weighed = mode.weighed.conjugate().eval();
   return mode;
 }
 
@@ -256,13 +274,18 @@ void add_fixed_modes(const ModeCount& count, const Linearised& all, ModesResult&
   const Index size = frame.start(frame.patterns.size());
   if (size == 0)
     throw InputError("nothing of the model moves, expected a body or a joint that does");
-  const Index wanted = find_count(count, size);
+  const Index wanted = find_count(count, size, "the model", result);
   std::vector<Root> roots = find_enough(wanted, size, frame);
   separate_equal_roots(
       Pencil(frame.model), [&](const VectorXcd& x) { return list_features(x, fixed); }, roots);
   std::map<std::string, KindNames> kinds;
   std::vector<Unnumbered> modes;
-  for (const Root& root : roots) modes.push_back(describe(root, fixed, kinds));
+  for (const Root& root : roots) {
+    Unnumbered& mode = modes.emplace_back(describe(root, fixed, kinds));
+    const bool is_of_blades = !mode.is_of_support && !mode.is_of_hub;
+    mode.own_kind = kind_with_damping(mode.kind, root.s,
+                                      is_of_blades ? mode.motion.rate : std::abs(root.s.imag()));
+  }
   const std::vector<int> numbers = number(modes);
   Numbering rigid, hub, support;
   for (std::size_t k = 0; k < roots.size() && std::cmp_less(k, wanted); ++k) {
@@ -271,7 +294,7 @@ void add_fixed_modes(const ModeCount& count, const Linearised& all, ModesResult&
       rigid.name("rigid motion", mode);
     else if (modes[k].is_of_support)
       support.name_further(mode.kind, mode);
-    else if (mode.kind == "hub")
+    else if (modes[k].is_of_hub)
       hub.name(mode.kind, mode);
     else
       mode.name = mode.kind + ' ' + std::to_string(numbers[k]) + ' ' + modes[k].motion.name;

@@ -12,7 +12,7 @@ namespace spoke::vibration {
 FixedFrame see_from_outside(const Linearised& all);
 
 /// Adds the lowest modes of a rotor in the frame that stands: `count` of the whole model. Throws
-/// like make_fixed_frame(), and InputError if there are too few modes.
+/// like make_fixed_frame().
 void add_fixed_modes(const ModeCount& count, const Linearised& all, ModesResult& result);
 
 }  // namespace spoke::vibration

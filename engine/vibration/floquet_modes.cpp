@@ -100,6 +100,7 @@ Mode make_periodic_mode(const PeriodicMode& periodic, const Periodically& rotor,
   if (all.linear.support) carried -= all.linear.support->M;
   const double of_hub = h > 0 ? calc_mass(hub, carried) : 0.0;
   mode.energy = energies.share_out(of_hub);
+  mode.weighed = energies.weigh(hub, carried);
   if (all.linear.support && is_of_support(mode.energy)) {
     mode.kind = name_support_motion(hub, all);
     return mode;
@@ -127,7 +128,7 @@ void add_floquet_modes(const ModeCount& count, const Linearised& all, steady::St
     throw InputError("nothing of the model moves, expected a body or a joint that does");
   system.alike = all.linear.alike;
   system.azimuths = all.model.azimuths();
-  const Index wanted = find_count(count, system.size());
+  const Index wanted = find_count(count, system.size(), "the model", result);
   require_periodic(system);
   if (whole && can_have_orbit(all))
     if (const auto orbit = find_periodic_orbit(all, system, *whole))
@@ -142,6 +143,7 @@ void add_floquet_modes(const ModeCount& count, const Linearised& all, steady::St
     if (std::ssize(result.modes) == wanted) break;
     Mode mode = make_periodic_mode(periodic, rotor, kinds);
     const std::string pattern = mode.kind == "hub" || mode.name.empty() ? "" : ' ' + mode.name;
+    mode.kind = kind_with_damping(mode.kind, mode.eigenvalue, mode.frequency);
     const std::string kind = mode.eigenvalue == 0.0 ? "rigid motion" : mode.kind;
     const std::string after = mode.eigenvalue == 0.0 ? "" : pattern;
     const int number = ++numbers[mode.of + kind + after];

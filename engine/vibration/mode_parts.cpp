@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "models/error.h"
+#include "engine/support/dense.h"
 
 namespace spoke::vibration {
 
@@ -39,6 +39,12 @@ Mode make_mode(const Root& root) {
   return mode;
 }
 
+std::string kind_with_damping(const std::string& kind, std::complex<double> s, double rate) {
+  constexpr double kCreeps = 0.05;  // at most of a vibration's rate, by the size of the root
+  const bool is_overdamped = s.real() < 0.0 && rate <= kCreeps * std::hypot(s.real(), rate);
+  return is_overdamped ? "overdamped " + kind : kind;
+}
+
 void normalise(Mode& mode) {
   std::complex<double> largest = 0.0;
   for (const auto& nodes : mode.shape)
@@ -55,10 +61,11 @@ void normalise(Mode& mode) {
   mode.hub_rotation /= largest;
 }
 
-Eigen::Index find_count(const ModeCount& count, Eigen::Index size, const std::string& why) {
-  if (count.least > size)
-    throw InputError(std::to_string(count.least) + " modes, expected at most " +
-                     std::to_string(size) + why);
+Eigen::Index find_count(const ModeCount& count, Eigen::Index size, const std::string& of,
+                        ModesResult& result) {
+  if (count.asked > size)
+    result.notes.push_back(std::to_string(count.asked) + " modes are asked for, " + of + " has " +
+                           std::to_string(size));
   return std::min<Eigen::Index>(count.most, size);
 }
 
@@ -90,9 +97,8 @@ void add_shape(std::size_t subsystem, const SubsystemShape& shape, SteadyModel& 
   }
 }
 
-double calc_hub_energy(const Eigen::VectorXcd& hub, const steady::LinearModel& linear) {
-  if (!linear.support) return calc_mass(hub, linear.M);
-  return calc_mass(hub, linear.M - linear.support->M);
+Eigen::MatrixXd calc_carried_mass(const steady::LinearModel& linear) {
+  return linear.support ? Eigen::MatrixXd(linear.M - linear.support->M) : linear.M;
 }
 
 Features list_features(const SubsystemShape& shape) {
@@ -128,6 +134,8 @@ void EnergySum::add(std::size_t subsystem, const SubsystemShape& shape) {
     sum_.flap += shape.energies[2];
     sum_.torsion += shape.energies[3];
   }
+  weighed_.conservativeResize(weighed_.size() + shape.weighed.size());
+  weighed_.tail(shape.weighed.size()) = shape.weighed;
   for (std::size_t k = 0; k < shape.bodies.size(); ++k) {
     double& own = sum_.bodies[starts_[subsystem] + static_cast<std::size_t>(shape.bodies[k])];
     for (const Eigen::VectorXcd& motion : shape.motions)
@@ -145,6 +153,16 @@ ModeEnergy EnergySum::share_out(double of_hub) const {
     *share /= all;
   for (double& share : shares.bodies) share /= all;
   return shares;
+}
+
+Eigen::VectorXcd EnergySum::weigh(const Eigen::VectorXcd& hub,
+                                  const Eigen::MatrixXd& carried) const {
+  if (hub.size() == 0) return weighed_;
+  const SymmetricEigen mass = solve_symmetric(carried);
+  const Eigen::VectorXd roots = mass.values.cwiseMax(0.0).cwiseSqrt();
+  Eigen::VectorXcd list(weighed_.size() + hub.size());
+  list << weighed_, mass.vectors * roots.asDiagonal() * (mass.vectors.transpose() * hub);
+  return list;
 }
 
 }  // namespace spoke::vibration

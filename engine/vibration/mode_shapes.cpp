@@ -82,14 +82,17 @@ SubsystemShape calc_subsystem_shape(std::size_t subsystem, const VectorXd& q, co
   constexpr std::complex<double> i(0.0, 1.0);
   SubsystemShape shape;
   for (VectorXcd& motion : shape.motions) motion.resize(std::ssize(places));
+  shape.weighed.resize(6 * std::ssize(places));
   for (std::size_t k = 0; k < places.size(); ++k) {
     const auto at = static_cast<Eigen::Index>(k);
     shape.bodies.push_back(places[k].body);
     shape.nodes.push_back(real[k].p + i * imag[k].p);
     shape.rotations.push_back(real[k].rotation + i * imag[k].rotation);
     const Eigen::Matrix3d to_root = model.root_axes(subsystem, places[k].body).transpose();
-    const Eigen::Vector3cd centre =
-        to_root.cast<std::complex<double>>() * (real[k].centre + i * imag[k].centre);
+    const Eigen::Vector3cd displacement = real[k].centre + i * imag[k].centre;
+    const Eigen::Vector3cd centre = to_root.cast<std::complex<double>>() * displacement;
+    shape.weighed.segment<3>(6 * at) = std::sqrt(places[k].mass) * displacement;
+    shape.weighed.segment<3>(6 * at + 3) = std::sqrt(places[k].inertia) * shape.rotations.back();
     const std::complex<double> twist =
         to_root.row(0).cast<std::complex<double>>() * shape.rotations.back();
     for (std::size_t c = 0; c < 3; ++c)

@@ -21,6 +21,9 @@ struct SubsystemShape {
   /// By node, motion times the square root of its mass: along x, y (lag) and z (flap) of the root
   /// of the subsystem, and rotation about x.
   std::array<Eigen::VectorXcd, 4> motions{};
+  /// By node, displacement of the mass and rotation in the hub's frame, each times the square root
+  /// of its mass or inertia: six entries.
+  Eigen::VectorXcd weighed{};
   std::array<double, 4> energies{};  ///< kinetic energies of these motions
   double total() const { return energies[0] + energies[1] + energies[2] + energies[3]; }
 };

@@ -18,7 +18,7 @@
 namespace spoke {
 namespace {
 
-/// Number of modes beyond those that are followed, one of which may come down.
+/// Number of modes beyond those that are followed, which compete with them and may come down.
 constexpr int kSpare = 4;
 
 void check(const CampbellOptions& options) {
@@ -104,6 +104,32 @@ void solve_all(const Scenario& scenario, const CampbellOptions& options, Campbel
   settle_failures(failures, scenario, options, result);
 }
 
+/// Follows the modes, and notes where a branch ends.
+void follow_branches(const Scenario& scenario, const CampbellOptions& options,
+                     CampbellResult& result) {
+  const auto solve = [&](double speed) -> std::optional<ModesResult> {
+    if (options.progress) options.progress(options.speeds.size());
+    try {
+      return solve_with_spares(scenario, speed, options);
+    } catch (const DivergenceError&) {
+      return std::nullopt;
+    }
+  };
+  const vibration::BetweenStates between{options.speeds, solve};
+  result.branches = vibration::follow_modes(result.states, options.count.value_or(options.most),
+                                            vibration::ThroughZero::yes, &between);
+  for (std::size_t b = 0; b < result.branches.size(); ++b) {
+    const auto& modes = result.branches[b].modes;
+    std::optional<std::size_t> last;
+    for (std::size_t k = 0; k < modes.size(); ++k) {
+      if (modes[k]) last = k;
+      if (modes[k] || !last || result.states[k].modes.empty()) continue;
+      result.losses.push_back({b, *last, k});
+      break;
+    }
+  }
+}
+
 void find_crossings(const CampbellOptions& options, std::optional<double> operating,
                     CampbellResult& result) {
   for (std::size_t b = 0; b < result.branches.size(); ++b)
@@ -140,7 +166,7 @@ CampbellResult solve_campbell(const Scenario& scenario, const CampbellOptions& o
   check(options);
   CampbellResult result;
   solve_all(scenario, options, result);
-  result.branches = vibration::follow_modes(result.states, options.count.value_or(options.most));
+  follow_branches(scenario, options, result);
   find_crossings(options, find_operating_speed(scenario), result);
   return result;
 }

@@ -31,7 +31,7 @@ namespace {
 
 using vibration::EquilibriumPath;
 using vibration::PathPlace;
-using vibration::Stability;
+using vibration::RootStability;
 
 constexpr int kModes = 10;  ///< modes, unless the options say how many
 constexpr int kSpareModes =
@@ -100,15 +100,25 @@ double find_resolution(const CriticalOptions& options) {
 struct Sample {
   PathPlace place;
   steady::LinearModel linear;
-  Stability stability;
+  RootStability stability;
 
   double value() const { return place->value; }
 };
 
 /// Returns the frame in which stability is judged: a rotor that turns on a support has no constant
 /// matrices but as seen from outside.
-ModeFrame choose_frame(const Scenario& scenario, const Parameter& parameter) {
+ModeFrame choose_frame(const Scenario& scenario, const Parameter& parameter,
+                       std::optional<ModeFrame> asked) {
   const bool turns = parameter.is_speed() || parameter.speed != 0.0;
+  if (asked == ModeFrame::floquet)
+    throw InputError(
+        "the frame is \"floquet\", expected \"turning\" or \"fixed\": a critical value is one of "
+        "constant matrices");
+  if (asked == ModeFrame::turning && turns && scenario.space && scenario.space->support)
+    throw InputError(
+        "the frame \"turning\" expects a hub whose support does not move, or a load that is varied "
+        "at a speed of 0: on a support that turns the frame \"fixed\" has constant matrices");
+  if (asked) return *asked;
   return turns ? vibration::choose_frame(scenario, std::nullopt) : ModeFrame::turning;
 }
 
@@ -119,7 +129,7 @@ class Search {
       : scenario_(scenario),
         options_(options),
         parameter_(read_parameter(scenario, options)),
-        frame_(choose_frame(scenario, parameter_)),
+        frame_(choose_frame(scenario, parameter_, options.frame)),
         path_([this](double value) { return make_model(value); }, find_resolution(options)) {}
 
   CriticalResult run() {
@@ -170,12 +180,12 @@ class Search {
   Sample look(PathPlace place) const {
     steady::LinearModel linear = steady::linearize_machine(place->equilibrium, *place->model);
     if (is_outside()) {
-      const Stability stability = vibration::assess_stability(
+      const RootStability stability = vibration::assess_stability(
           vibration::see_from_outside({*place->model, place->equilibrium, linear}), count());
       return {std::move(place), std::move(linear), stability};
     }
     if (linear.support) steady::stand_on(*linear.support, linear);
-    const Stability stability =
+    const RootStability stability =
         vibration::assess_stability(linear, place->model->azimuths(), count());
     return {std::move(place), std::move(linear), stability};
   }
@@ -215,7 +225,7 @@ class Search {
   struct Pair {
     Sample good, bad;
   };
-  using IsBad = std::function<bool(const Stability&)>;
+  using IsBad = std::function<bool(const RootStability&)>;
 
   /// Narrows a pair down to a distance, or as far as equilibria are found: where the stiffness is
   /// nearly singular, round-off moves them.
@@ -234,7 +244,7 @@ class Search {
 
   /// Whether a motion is no longer held between two places next to each other, where its stiffness
   /// is near zero. Otherwise it only came into the number of those that are looked at.
-  static bool loses_stiffness(const Stability& good, const Stability& bad) {
+  static bool loses_stiffness(const RootStability& good, const RootStability& bad) {
     constexpr double kNearZero = 1e-6;
     return bad.rigid > good.rigid || bad.softest <= kNearZero * bad.stiffest;
   }
@@ -245,13 +255,13 @@ class Search {
     if (next.stability.unheld > last.stability.unheld) {
       const std::size_t held = last.stability.unheld;
       stiffness = bisect(
-          last, next, [held](const Stability& at) { return at.unheld > held; }, kResolution);
+          last, next, [held](const RootStability& at) { return at.unheld > held; }, kResolution);
       if (!loses_stiffness(stiffness->good.stability, stiffness->bad.stability)) stiffness.reset();
     }
     const Sample& end = stiffness ? stiffness->good : next;
     if (end.stability.growth > kGrows) {
       const Pair growth = bisect(
-          last, end, [](const Stability& at) { return at.growth > kGrows; }, kResolution);
+          last, end, [](const RootStability& at) { return at.growth > kGrows; }, kResolution);
       const double distance = end.value() - growth.bad.value();
       if (!stiffness || distance > distance_at(end.value(), kBeyond))
         return add_growth(last, growth, end);
@@ -287,7 +297,8 @@ class Search {
     const Pair more =
         end.stability.growth > kGrowsMore
             ? bisect(
-                  pair.bad, end, [](const Stability& at) { return at.growth > kGrowsMore; }, 1e-8)
+                  pair.bad, end, [](const RootStability& at) { return at.growth > kGrowsMore; },
+                  1e-8)
             : Pair{pair.bad, end};
     const double from = 0.5 * (pair.good.value() + pair.bad.value());
     const double slope = (more.bad.stability.growth - kGrows) / (more.bad.value() - from);
@@ -312,7 +323,26 @@ class Search {
         end.stability.unheld > start.stability.unheld || end.stability.softest <= 0.05 * softest_;
     critical.kind = is_soft ? CriticalKind::limit_point : CriticalKind::no_equilibrium;
     const ModesResult found = describe(near);
+    const std::optional<ModesResult> other = find_other_state(critical.value);
+    if (other) {
+      critical.kind = CriticalKind::jump;
+      critical.beyond = result_.states.size() + 1;
+    }
     put(critical, find_softest(found), found);
+    if (!other) return;
+    result_.values.push_back(other->equilibrium.speed);
+    result_.states.push_back(*other);
+  }
+
+  /// Returns the steady state to which a rotating model jumps where the one that was followed ends;
+  /// none if there is none, or at rest, where a snap through has its own name.
+  std::optional<ModesResult> find_other_state(double end) const {
+    if (!parameter_.is_speed() || end == 0.0) return std::nullopt;
+    try {
+      return describe(look(path_.begin(end + distance_at(end, kBeyond))));
+    } catch (const DivergenceError&) {
+      return std::nullopt;
+    }
   }
 
   void put(CriticalPoint critical, std::size_t mode, const ModesResult& found) {
@@ -373,7 +403,7 @@ class Search {
   ModeFrame frame_;
   EquilibriumPath path_;
   CriticalResult result_;
-  double softest_ = 0.0;  ///< largest least stiffness so far, as Stability::softest
+  double softest_ = 0.0;  ///< largest least stiffness so far, as RootStability::softest
 };
 
 }  // namespace
@@ -396,6 +426,8 @@ std::string_view name_of(CriticalKind kind) {
       return "critical speed";
     case CriticalKind::limit_point:
       return "limit point";
+    case CriticalKind::jump:
+      return "jump";
     case CriticalKind::no_equilibrium:
       break;
   }

@@ -58,7 +58,7 @@ void add_modes_of_subsystem(std::size_t i, const ModeCount& count, const Lineari
                             ModesResult& result) {
   const Pencil pencil(all.linear, {i});
   const std::string of = name_subsystems(find_like(i, all.linear.alike), all.model);
-  const Eigen::Index wanted = find_count(count, pencil.size(), ": there are no more of " + of);
+  const Eigen::Index wanted = find_count(count, pencil.size(), of, result);
   const auto shape_of = [&](const Eigen::VectorXcd& x) {
     return vibration::calc_subsystem_shape(
         i, all.equilibrium.q[i], all.linear.motion_of(i, x, Eigen::VectorXcd()), all.model);
@@ -70,6 +70,7 @@ void add_modes_of_subsystem(std::size_t i, const ModeCount& count, const Lineari
   if (std::ssize(roots) > wanted) roots.resize(static_cast<std::size_t>(wanted));
   Numbering numbering;
   vibration::KindNames kinds;
+  const std::size_t first = result.modes.size();
   for (const Root& root : roots) {
     Mode mode = make_mode(root);
     mode.coordinates = all.linear.motion_of(i, root.x, Eigen::VectorXcd());
@@ -85,9 +86,15 @@ void add_modes_of_subsystem(std::size_t i, const ModeCount& count, const Lineari
     EnergySum energies(all);
     energies.add(i, shape);
     mode.energy = energies.share_out(0.0);
-    mode.kind = kinds.name(independent, root.x, all.linear.subsystem(i).M, shape);
-    numbering.name(is_rigid(mode) ? "rigid " + mode.kind : mode.kind, mode);
+    mode.weighed = energies.weigh({}, {});
+    const std::string kind = kinds.name(independent, root.x, all.linear.subsystem(i).M, shape);
+    mode.kind = vibration::kind_with_damping(kind, root.s, mode.frequency);
+    if (mode.kind != kind) numbering.count_root(kind);
     result.modes.push_back(std::move(mode));
+  }
+  for (std::size_t k = first; k < result.modes.size(); ++k) {
+    Mode& mode = result.modes[k];
+    numbering.name(is_rigid(mode) ? "rigid " + mode.kind : mode.kind, mode);
   }
 }
 
@@ -185,8 +192,10 @@ Mode make_coupled_mode(const Root& root, const Pencil& pencil, const Linearised&
     add_shape(i, shape, all.model, mode);
   }
   normalise(mode);
-  const double of_hub = vibration::calc_hub_energy(hub, all.linear);
+  const Eigen::MatrixXd carried = vibration::calc_carried_mass(all.linear);
+  const double of_hub = vibration::calc_mass(hub, carried);
   mode.energy = energies.share_out(of_hub);
+  mode.weighed = energies.weigh(hub, carried);
   if (all.linear.support && vibration::is_of_support(mode.energy)) {
     mode.kind = vibration::name_support_motion(hub, all);
     return mode;
@@ -206,7 +215,7 @@ Mode make_coupled_mode(const Root& root, const Pencil& pencil, const Linearised&
 
 void add_coupled_modes(const ModeCount& count, const Linearised& all, ModesResult& result) {
   const Pencil pencil(all.linear);
-  const Eigen::Index wanted = find_count(count, pencil.size());
+  const Eigen::Index wanted = find_count(count, pencil.size(), "the model", result);
   std::vector<Root> roots = vibration::find_coupled_roots(all.linear, all.model.azimuths(),
                                                           count_with_partners(wanted, pencil));
   separate_equal_roots(
@@ -217,14 +226,20 @@ void add_coupled_modes(const ModeCount& count, const Linearised& all, ModesResul
   vibration::KindNames kinds;
   for (const Root& root : roots) {
     Mode mode = make_coupled_mode(root, pencil, all, kinds);
-    const bool has_pattern = !mode.name.empty() && mode.kind != "hub";
+    const std::string pattern = mode.name.empty() || mode.kind == "hub" ? "" : mode.name + ' ';
+    const std::string kind = vibration::kind_with_damping(mode.kind, root.s, mode.frequency);
+    if (kind != mode.kind) numbering.count_root(pattern + mode.kind);
+    mode.kind = kind;
+    mode.name = pattern + kind;
+    result.modes.push_back(std::move(mode));
+  }
+  for (Mode& mode : result.modes) {
     if (is_rigid(mode))
       numbering.name("rigid motion", mode);
     else if (all.linear.support && vibration::is_of_support(mode.energy))
       numbering.name_further(mode.kind, mode);
     else
-      numbering.name(has_pattern ? mode.name + ' ' + mode.kind : mode.kind, mode);
-    result.modes.push_back(std::move(mode));
+      numbering.name(std::string(mode.name), mode);
   }
 }
 
@@ -265,16 +280,44 @@ ModeFrame vibration::choose_frame(const Scenario& scenario, std::optional<ModeFr
   return scenario.space && scenario.space->support ? ModeFrame::fixed : ModeFrame::turning;
 }
 
-ModesResult vibration::solve_modes(const Scenario& scenario, const SteadyState& state,
-                                   std::optional<ModeFrame> asked, const ModeCount& count) {
-  check_scenario(scenario);
-  const ModeFrame frame = choose_frame(scenario, asked);
-  const double speed = steady::find_steady_speed(scenario, state.speed);
+namespace {
+
+/// Returns why a rotor that is not seen as a whole has no multi-blade coordinates; empty: it has.
+std::string find_refusal(const Linearised& all) {
+  try {
+    vibration::see_from_outside(all);
+    return {};
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+/// Says that air at rest acts.
+void note_still_air(ModesResult& result) {
+  constexpr double kStill = 1e-6;  // [m/s]
+  if (result.equilibrium.air && std::abs(result.equilibrium.air->wind) < kStill)
+    result.notes.push_back("the air is at rest: the mean wind has no part along the axis");
+}
+
+/// Finds modes in a frame, or in the usual one: `asked` none.
+ModesResult solve_in(ModeFrame frame, bool is_asked, const Scenario& scenario, double speed,
+                     const ModeCount& count) {
   const std::unique_ptr<SteadyModel> model = steady::make_steady_model(
       scenario, {.speed = speed, .is_axial = frame != ModeFrame::turning});
   const Equilibrium equilibrium = steady::find_machine_equilibrium(*model);
   steady::require_steady_machine(*model, equilibrium);
   LinearModel linear = steady::linearize_machine(equilibrium, *model);
+  if (frame == ModeFrame::fixed && !is_asked) {
+    if (const std::string why = find_refusal({*model, equilibrium, linear}); !why.empty()) {
+      const ModeFrame other = speed == 0.0 ? ModeFrame::turning : ModeFrame::floquet;
+      ModesResult result = solve_in(other, true, scenario, speed, count);
+      result.notes.push_back((speed == 0.0
+                                  ? "modes are in the frame \"turning\", the model being at rest: "
+                                  : "modes are in the frame \"floquet\": ") +
+                             why.substr(0, why.find(':')));
+      return result;
+    }
+  }
   if (linear.support && frame == ModeFrame::turning) {
     if (speed != 0.0)
       throw InputError(
@@ -285,7 +328,18 @@ ModesResult vibration::solve_modes(const Scenario& scenario, const SteadyState& 
   std::unique_ptr<SteadyModel> whole;
   if (frame == ModeFrame::floquet && !linear.support)
     whole = steady::make_steady_model(scenario, {.speed = speed, .is_whole = true});
-  ModesResult result = make_modes(linear, equilibrium, frame, count, *model, whole.get());
+  return vibration::make_modes(linear, equilibrium, frame, count, *model, whole.get());
+}
+
+}  // namespace
+
+ModesResult vibration::solve_modes(const Scenario& scenario, const SteadyState& state,
+                                   std::optional<ModeFrame> asked, const ModeCount& count) {
+  check_scenario(scenario);
+  const double speed = steady::find_steady_speed(scenario, state.speed);
+  ModesResult result =
+      solve_in(choose_frame(scenario, asked), asked.has_value(), scenario, speed, count);
+  note_still_air(result);
   steady::add_warnings(scenario, result.equilibrium);
   return result;
 }

@@ -40,12 +40,16 @@ bool is_too_fast(const Root& root, double slowest) {
   return std::abs(root.s) > kFaster * slowest;
 }
 
+/// Whether a root is one of a rotation that stands for rest, 1e-100 rad/s: of a model that has no
+/// stiffness there, which is not held, but does not grow either.
+bool is_of_rest(const Root& root) { return std::abs(root.s) < 1e-50; }
+
 /// Returns the least magnitude of a root that is not zero; 0 if there is none.
 double find_slowest(const std::vector<Root>& roots) {
   double slowest = 0.0;
   for (const Root& root : roots) {
     const double size = std::abs(root.s);
-    if (size > 0.0 && (slowest == 0.0 || size < slowest)) slowest = size;
+    if (!is_of_rest(root) && (slowest == 0.0 || size < slowest)) slowest = size;
   }
   return slowest;
 }
@@ -62,10 +66,10 @@ LinearModel without_velocities(LinearModel linear) {
 }
 
 /// Finds the root that grows most.
-void find_growth(const std::vector<Root>& roots, Stability& found) {
+void find_growth(const std::vector<Root>& roots, RootStability& found) {
   const double slowest = find_slowest(roots);
   for (const Root& root : roots) {
-    if (!(root.s.real() > 0.0) || is_too_fast(root, slowest)) continue;
+    if (!(root.s.real() > 0.0) || is_of_rest(root) || is_too_fast(root, slowest)) continue;
     const double growth = root.s.real() / std::abs(root.s);
     if (growth <= found.growth) continue;
     found.growth = growth;
@@ -75,9 +79,9 @@ void find_growth(const std::vector<Root>& roots, Stability& found) {
 
 }  // namespace
 
-Stability assess_stability(const LinearModel& linear, const std::vector<double>& azimuths,
-                           int count) {
-  Stability found;
+RootStability assess_stability(const LinearModel& linear, const std::vector<double>& azimuths,
+                               int count) {
+  RootStability found;
   // Of the stiffest quarter round-off may turn the sign.
   const auto softer = [count](Index size) { return std::min<Index>(count, size - size / 4); };
   for (const Root& root : find_lowest(without_velocities(linear), azimuths, softer)) {
@@ -96,8 +100,8 @@ Stability assess_stability(const LinearModel& linear, const std::vector<double>&
   return found;
 }
 
-Stability assess_stability(const FixedFrame& frame, int count) {
-  Stability found;
+RootStability assess_stability(const FixedFrame& frame, int count) {
+  RootStability found;
   const Index size = frame.start(frame.patterns.size());
   find_growth(find_fixed_roots(frame, std::min<Index>(count, size)), found);
   return found;

@@ -12,7 +12,7 @@
 namespace spoke::vibration {
 
 /// What the lowest roots of a linear model say.
-struct Stability {
+struct RootStability {
   /// Number of motions that nothing holds, or that are pushed away: x^T K x is zero to round-off,
   /// or negative, by the eigenvalues of K against M, but for the stiffest quarter.
   std::size_t unheld = 0;
@@ -26,10 +26,10 @@ struct Stability {
 /// Looks at so many of the lowest roots, of each subsystem where they do not couple; at the growth
 /// of those alone that are at most 1e4 times as fast as the slowest. `azimuths`: of subsystems
 /// [rad].
-Stability assess_stability(const steady::LinearModel& linear, const std::vector<double>& azimuths,
-                           int count);
+RootStability assess_stability(const steady::LinearModel& linear,
+                               const std::vector<double>& azimuths, int count);
 /// Looks at the growth of so many of the lowest roots seen from outside, where what is held and
 /// what is not cannot be told by K: it has forces of inertia, which gyroscopic ones balance.
-Stability assess_stability(const FixedFrame& frame, int count);
+RootStability assess_stability(const FixedFrame& frame, int count);
 
 }  // namespace spoke::vibration

@@ -2,6 +2,10 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "engine/steady/steady_warnings.h"
 #include "program/cli/commands.h"
 #include "program/cli/progress.h"
@@ -20,11 +24,22 @@ CampbellResult solve(CampbellOptions options, const SteadyTask& task) {
   return task.solve([&](const Scenario& scenario) { return solve_campbell(scenario, options); });
 }
 
+/// Returns the notes of all speeds, each once.
+std::vector<std::string> list_notes(const CampbellResult& result) {
+  std::vector<std::string> notes;
+  for (const ModesResult& state : result.states)
+    for (const std::string& note : state.notes)
+      if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+  return notes;
+}
+
 void print(const CampbellResult& result, const SteadyTask& task) {
   print_title(task.scenario().title);
   print_table(steady_report::make_branch_table(result));
   print_table(steady_report::make_crossing_table(result));
   if (!result.gaps.empty()) print_table(steady_report::make_gap_table(result));
+  for (const std::string& note : list_notes(result)) print_line("note", note);
+  for (const std::string& line : steady_report::describe_losses(result)) print_line("lost", line);
   print_line("written", task.path("campbell.html") + ", campbell.csv, campbell.json");
 }
 

@@ -120,6 +120,7 @@ void add_critical(CLI::App& command, Arguments& arguments) {
   add_range(command, arguments.steady);
   add_speed(command, arguments.steady);
   add_count(command, arguments.steady);
+  add_constant_frame(command, arguments.steady);
   command.footer(std::string(kCriticalText) + '\n' + kStatusText);
 }
 

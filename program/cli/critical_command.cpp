@@ -33,7 +33,8 @@ int find_critical(const Arguments& arguments) {
                                 .to = asked.to,
                                 .state = {asked.speed},
                                 .points = asked.points,
-                                .count = asked.count};
+                                .count = asked.count,
+                                .frame = asked.frame};
   const CriticalResult result = solve(options, task);
   task.write({{"critical.csv", steady_report::make_csv(result, options)},
               {"critical.json", steady_report::make_json(result, options)},

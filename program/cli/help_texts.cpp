@@ -84,7 +84,8 @@ Examples:
 const char* const kStaticText =
     R"(Newton's method with a line search, and load steps where it needs them. Loads, motors and prescribed
 joints have the values that their curves end with, pitch by the azimuth its mean. Where the hub turns,
-gravity, wind and loads of constant direction count with their part along the axis.
+gravity, wind and loads of constant direction count with their part along the axis. Says whether small
+motions about it decay.
 
 Output files, in the folder of --out:
   static.html         the model in equilibrium, deflections, tips, joints, wrench of the hub
@@ -116,7 +117,8 @@ Example:
 
 const char* const kCampbellText =
     R"(The modes of spoke modes at each speed, on all processors, followed from speed to speed by their
-shapes; where they meet 1 to 6 times the speed; how far that is from the speed of the drive.
+shapes, with further speeds where that is in doubt; where they meet 1 to 6 times the speed; how far
+that is from the speed of the drive.
 
 Output files, in the folder of --out:
   campbell.html  the diagram, damping over speed, the chosen mode moving, crossings
@@ -130,9 +132,9 @@ Example:
 
 const char* const kCriticalText =
     R"(The least value in the range at which an equilibrium is lost or a mode stops decaying: buckling and
-divergence, flutter, critical speeds of shafts, limit points. Equilibria are followed from value to
-value; the first change is narrowed down to 1e-10 by bisection. A value that is found in none of
-the range is no error. See docs/modes.md.
+divergence, flutter, critical speeds of shafts, limit points, jumps to another steady state.
+Equilibria are followed from value to value; the first change is narrowed down to 1e-10 by bisection.
+A value that is found in none of the range is no error. See docs/modes.md.
 
 Output files, in the folder of --out:
   critical.html  the critical mode as a moving picture, frequencies and growth over the range

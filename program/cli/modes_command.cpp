@@ -16,6 +16,7 @@ void print(const ModesResult& result, const SteadyTask& task) {
   print_line("speed", fmt::format("{:.6g} rad/s", result.equilibrium.speed));
   print_line("blades", result.are_blades_coupled ? "couple through the hub" : "do not couple");
   print_table(steady_report::make_mode_table(result));
+  for (const std::string& note : result.notes) print_line("note", note);
   if (const std::string growth = steady_report::describe_growth(result); !growth.empty())
     print_line("unstable", growth);
   print_line("written", task.path("modes.html") + ", modes.csv, modes.json");

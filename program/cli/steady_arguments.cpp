@@ -137,7 +137,8 @@ void add_frame(CLI::App& command, SteadyArguments& arguments) {
   add_frames(command, {"turning", "fixed", "floquet"},
              "From where vibrations are seen: turning with the hub; fixed:\n"
              "from outside, of 3 or more equal blades; floquet: of any\n"
-             "blades, by harmonics [fixed on a support, else turning]",
+             "blades, by harmonics [fixed on a support, or what its blades\n"
+             "allow; else turning]",
              arguments);
 }
 

@@ -55,11 +55,29 @@ report::Table make_branch_table(const CampbellResult& result) {
       .columns = {{"of"},
                   {"mode"},
                   {fmt::format("at {:.5g} rad/s", speed_at(result, 0)), Align::number},
+                  {"mode"},
                   {fmt::format("at {:.5g} rad/s", speed_at(result, last)), Align::number}}};
-  for (const CampbellBranch& branch : result.branches)
-    table.rows.push_back({{branch.of, branch.name, frequency_text(mode_at(result, branch, 0)),
-                           frequency_text(mode_at(result, branch, last))}});
+  const auto name_text = [](const Mode* mode) { return mode ? mode->name : std::string(); };
+  for (const CampbellBranch& branch : result.branches) {
+    const Mode* first = mode_at(result, branch, 0);
+    const Mode* end = mode_at(result, branch, last);
+    table.rows.push_back({{branch.of, name_text(first), frequency_text(first), name_text(end),
+                           frequency_text(end)}});
+  }
   return table;
+}
+
+std::vector<std::string> describe_losses(const CampbellResult& result) {
+  std::vector<std::string> lines;
+  for (const CampbellLoss& loss : result.losses) {
+    const CampbellBranch& branch = result.branches[loss.branch];
+    lines.push_back(fmt::format(
+        "{} of {} is not followed beyond {:.6g} rad/s: none of the {} lowest modes at {:.6g} rad/s "
+        "goes on from it; a larger --count may have it",
+        mode_at(result, branch, loss.last)->name, branch.of, speed_at(result, loss.last),
+        result.states[loss.lost].modes.size(), speed_at(result, loss.lost)));
+  }
+  return lines;
 }
 
 report::Table make_gap_table(const CampbellResult& result) {
@@ -85,7 +103,7 @@ std::string make_csv(const CampbellResult& result) {
 
 std::string make_json(const CampbellResult& result) {
   Json speeds = Json::array(), branches = Json::array(), crossings = Json::array(),
-       gaps = Json::array();
+       gaps = Json::array(), losses = Json::array();
   for (std::size_t k = 0; k < result.states.size(); ++k) speeds.push_back(speed_at(result, k));
   for (const CampbellBranch& branch : result.branches) {
     Json frequencies = Json::array(), damping = Json::array();
@@ -107,11 +125,17 @@ std::string make_json(const CampbellResult& result) {
                          {"margin", crossing.margin ? Json(*crossing.margin) : Json()}});
   for (const CampbellGap& gap : result.gaps)
     gaps.push_back({{"speed_rad_per_s", speed_at(result, gap.speed)}, {"reason", gap.reason}});
+  for (const CampbellLoss& loss : result.losses)
+    losses.push_back({{"branch", loss.branch + 1},
+                      {"mode", mode_at(result, result.branches[loss.branch], loss.last)->name},
+                      {"last_speed_rad_per_s", speed_at(result, loss.last)},
+                      {"speed_rad_per_s", speed_at(result, loss.lost)}});
   const Json json = {{"frame", name_of(result.states[0].frame)},
                      {"speeds_rad_per_s", speeds},
                      {"branches", branches},
                      {"crossings", crossings},
-                     {"gaps", gaps}};
+                     {"gaps", gaps},
+                     {"losses", losses}};
   return json.dump_lines();
 }
 

@@ -4,6 +4,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "engine/steady/steady_warnings.h"
 #include "engine/support/csv_cell.h"
 #include "engine/support/plain_zero.h"
 #include "models/support/json.h"
@@ -38,10 +39,20 @@ std::string describe_kind(const CriticalPoint& critical) {
       return "its frequency in the turning frame is zero there, once per revolution from outside";
     case CriticalKind::limit_point:
       return "its stiffness is zero where the equilibrium ends";
+    case CriticalKind::jump:
+      return "the steady state that was followed ends there, and another one is far from it";
     case CriticalKind::no_equilibrium:
       break;
   }
   return "no equilibrium is found beyond";
+}
+
+/// Returns which body bends most in a steady state, and by how much.
+std::string describe_state(const EquilibriumResult& state) {
+  const steady::LargestBending largest = steady::find_largest_bending(state);
+  if (largest.ratio == 0.0) return "with nothing bent";
+  return fmt::format("with {} bent by {:.3g} %", steady::name_body(state, largest),
+                     100.0 * largest.ratio);
 }
 
 Json critical_json(const CriticalResult& result) {
@@ -54,6 +65,10 @@ Json critical_json(const CriticalResult& result) {
     mode.set("name", critical.name);
     mode.set("of", critical.of);
   }
+  Json beyond;
+  if (critical.beyond)
+    beyond = {{"value", result.values[*critical.beyond]},
+              {"equilibrium", nodes_json(result.states[*critical.beyond].equilibrium)}};
   return {{"kind", name_of(critical.kind)},
           {"value", critical.value},
           {"resolution", critical.resolution},
@@ -61,7 +76,8 @@ Json critical_json(const CriticalResult& result) {
           {"frequency_Hz", hertz(critical.frequency)},
           {"frequency_rad_per_s", critical.frequency},
           {"equilibrium", nodes_json(state.equilibrium)},
-          {"mode", mode}};
+          {"mode", mode},
+          {"beyond", beyond}};
 }
 
 }  // namespace
@@ -86,6 +102,12 @@ std::string describe_critical(const CriticalResult& result, const CriticalOption
   std::string text = fmt::format("{} at {}", name_of(critical.kind),
                                  (varied.is_speed() ? "" : "a " + varied.name + " of ") +
                                      varied.with_unit(critical.value, 10));
+  if (critical.beyond)
+    return text + fmt::format(
+                      ": the steady state that was followed ends there, {}; beyond, another one is "
+                      "found, {}",
+                      describe_state(result.states[critical.state].equilibrium),
+                      describe_state(result.states[*critical.beyond].equilibrium));
   if (critical.mode) text += ", " + critical.name + " of " + critical.of;
   return text + ": " + describe_kind(critical);
 }

@@ -154,11 +154,10 @@ std::string describe_growth(const ModesResult& result) {
 std::string make_json(const ModesResult& result) {
   Json modes = Json::array();
   for (const Mode& mode : result.modes) modes.push_back(mode_json(mode, result.bodies));
-  const Json json = {{"speed_rad_per_s", result.equilibrium.speed},
-                     {"frame", name_of(result.frame)},
-                     {"blades_couple", result.are_blades_coupled},
-                     {"equilibrium", nodes_json(result.equilibrium)},
-                     {"modes", modes}};
+  const Json json = {
+      {"speed_rad_per_s", result.equilibrium.speed},   {"frame", name_of(result.frame)},
+      {"blades_couple", result.are_blades_coupled},    {"notes", result.notes},
+      {"equilibrium", nodes_json(result.equilibrium)}, {"modes", modes}};
   return json.dump_lines();
 }
 

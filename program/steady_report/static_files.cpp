@@ -182,6 +182,46 @@ Eigen::Vector3d rotation_of(const HubPlace& hub) {
   return space::logarithm(space::Rotation{hub.axes});
 }
 
+std::string_view word_of(SmallMotions motions) {
+  switch (motions) {
+    case SmallMotions::decay:
+      return "decay";
+    case SmallMotions::grow:
+      return "grow";
+    case SmallMotions::persist:
+      break;
+  }
+  return "persist";
+}
+
+/// Returns what small motions do, and which of them decays least.
+std::string stability_text(const EquilibriumResult& result) {
+  if (!result.stability) return "not known here: spoke modes --frame floquet may tell";
+  const Stability& stability = *result.stability;
+  const std::string mode = stability.mode + " of " + stability.of;
+  switch (stability.motions) {
+    case SmallMotions::decay:
+      return fmt::format("decay: the equilibrium is stable; least {}, by {:.3g} per s", mode,
+                         -stability.rate);
+    case SmallMotions::grow:
+      return fmt::format("grow: the equilibrium is unstable, a run leaves it; {} by {:.3g} per s",
+                         mode, stability.rate);
+    case SmallMotions::persist:
+      break;
+  }
+  return "neither grow nor decay: nothing damps " + mode;
+}
+
+Json stability_json(const EquilibriumResult& result) {
+  if (!result.stability) return {};
+  const Stability& stability = *result.stability;
+  return {{"small_motions", std::string(word_of(stability.motions))},
+          {"rate_per_s", plain_zero(stability.rate)},
+          {"frequency_rad_per_s", stability.frequency},
+          {"mode", stability.mode},
+          {"of", stability.of}};
+}
+
 std::vector<report::Fact> make_facts(const EquilibriumResult& result) {
   const RootScale scale = calc_root_scale(result);
   std::vector<report::Fact> facts = {
@@ -189,13 +229,14 @@ std::vector<report::Fact> make_facts(const EquilibriumResult& result) {
       {"hub force", vector_text(result.hub_force, scale.force) + " N, of support and drive"},
       {"hub moment", vector_text(result.hub_moment, scale.moment) + " N m"},
       {"largest bending", bending_text(result)},
+      {"small motions", stability_text(result)},
       {"found by", fmt::format("Newton's method, {} iterations in {} load step{}, last change "
                                "{:.1e}",
                                result.iterations, result.load_steps,
                                result.load_steps == 1 ? "" : "s", result.last_change)}};
   if (result.air)
     for (report::Fact& fact : make_air_facts(result))
-      facts.insert(facts.end() - 2, std::move(fact));
+      facts.insert(facts.end() - 3, std::move(fact));
   if (!result.hub) return facts;
   const double size = result.hub->position.norm();
   facts.insert(facts.begin() + 1,
@@ -215,6 +256,7 @@ std::string make_json(const EquilibriumResult& result) {
                {"iterations", result.iterations},
                {"load_steps", result.load_steps},
                {"last_change", result.last_change},
+               {"stability", stability_json(result)},
                {"warnings", warnings},
                {"blades", blades}};
   if (result.air) json.set("air", air_json(result));
@@ -244,6 +286,8 @@ std::string make_html(const EquilibriumResult& result, const Scenario& scenario,
   page.add_markup(make_markup());
   for (const Warning& warning : result.warnings)
     page.add_note(warning.text + ".", report::Tone::warning);
+  if (result.stability && result.stability->motions == SmallMotions::grow)
+    page.add_note("Small motions " + stability_text(result) + ".", report::Tone::warning);
   page.add_facts(make_facts(result));
   page.add_markup("<div class=\"side\">\n");
   add_deflection_charts(result, page);

@@ -4,12 +4,15 @@
 // them.
 
 #include <string>
+#include <string_view>
 
 #include "engine/equilibrium.h"
 #include "program/report/page.h"
 
 namespace spoke::steady_report {
 
+/// Returns "decay", "persist" or "grow".
+std::string_view word_of(SmallMotions motions);
 /// Makes a row for each blade's tip motion, joints and closed loops.
 report::Table make_tip_table(const EquilibriumResult& result);
 report::Table make_joint_table(const EquilibriumResult& result);

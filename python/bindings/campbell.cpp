@@ -77,6 +77,13 @@ py::list crossings_of(const Campbell& campbell) {
   return crossings;
 }
 
+py::list losses_of(const Campbell& campbell) {
+  py::list losses;
+  for (const CampbellLoss& loss : campbell.result.losses)
+    losses.append(py::dict("branch"_a = loss.branch, "last"_a = loss.last, "lost"_a = loss.lost));
+  return losses;
+}
+
 Campbell solve_diagram(const Scenario& scenario, std::vector<double> speeds,
                        std::optional<int> count, int harmonics, int threads,
                        const std::optional<std::string>& frame) {
@@ -111,6 +118,9 @@ void bind_campbell(py::module_& module) {
                              "Where a mode has a multiple of the speed as frequency: dictionaries "
                              "with branch, harmonic, speed and frequency [rad/s], and margin, the "
                              "distance from the scenario's speed by the latter, or None.")
+      .def_property_readonly("losses", &losses_of,
+                             "Branches that end: dictionaries with branch, and the indices of the "
+                             "speeds where it was last, and where it was lost.")
       .def_property_readonly("states", &states_of, "By speed its Modes.")
       .def(
           "page",

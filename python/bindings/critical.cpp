@@ -54,13 +54,15 @@ auto of_point(Get get) {
 }
 
 Critical search_critical(const Scenario& scenario, std::string of, double from, double to,
-                         std::optional<double> speed, int points, std::optional<int> count) {
+                         std::optional<double> speed, int points, std::optional<int> count,
+                         const std::optional<std::string>& frame) {
   CriticalOptions options{.of = std::move(of),
                           .from = from,
                           .to = to,
                           .state = {speed},
                           .points = points,
                           .count = count,
+                          .frame = frame_of(frame),
                           .progress = [](std::size_t) {
                             const py::gil_scoped_acquire lock;
                             if (PyErr_CheckSignals() != 0) throw py::error_already_set();
@@ -82,7 +84,7 @@ void bind_critical(py::module_& module) {
       .def_property_readonly(
           "kind", of_point([](const Critical&, const CriticalPoint& p) { return name_of(p.kind); }),
           "\"buckling\", \"divergence\", \"flutter\", \"critical speed\", \"limit point\", "
-          "\"no equilibrium\"; or None.")
+          "\"no equilibrium\", \"jump\"; or None.")
       .def_property_readonly("frequency", of_point([](const Critical&, const CriticalPoint& p) {
                                return p.frequency;
                              }),

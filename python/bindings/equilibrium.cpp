@@ -49,6 +49,15 @@ py::object air_of(const BladeEquilibrium& blade) {
       "pitching_moment"_a = by_station(&SectionAir::pitching_moment));
 }
 
+/// Returns whether small motions decay; None: not known.
+py::object stability_of(const Equilibrium& equilibrium) {
+  if (!equilibrium.result.stability) return py::none();
+  const Stability& stability = *equilibrium.result.stability;
+  return py::dict("small_motions"_a = steady_report::word_of(stability.motions),
+                  "rate"_a = stability.rate, "frequency"_a = stability.frequency,
+                  "mode"_a = stability.mode, "of"_a = stability.of);
+}
+
 std::string describe(const EquilibriumResult& result) {
   std::string text = "<spoke.Equilibrium at " + six_digits(result.speed) + " rad/s, " +
                      counted_text(result.blades.size(), "subsystem");
@@ -144,6 +153,12 @@ void bind_equilibrium(py::module_& module) {
       .def_property_readonly("air", get(&EquilibriumResult::air),
                              "What air does to the rotor: wind [m/s], thrust [N] and torque [N m]; "
                              "None where no air acts.")
+      .def_property_readonly(
+          "stability", &stability_of,
+          "Whether small motions about it decay: a dictionary with small_motions (\"decay\", "
+          "\"persist\" without damping, or \"grow\"), rate [1/s] and frequency [rad/s] of the "
+          "motion "
+          "that decays least, its mode and of; None where it is not known.")
       .def_property_readonly("iterations", get(&EquilibriumResult::iterations),
                              "Of Newton's method, over all blades.")
       .def_property_readonly("load_steps", get(&EquilibriumResult::load_steps),

@@ -54,7 +54,7 @@ std::string make_modes_page(const ModesResult& result, const Scenario& scenario)
 std::string make_modes_page(const OneMode& one) {
   const ModesResult& all = one.modes->result;
   return make_modes_page(
-      {all.equilibrium, all.frame, all.bodies, all.are_blades_coupled, {one.mode()}},
+      {all.equilibrium, all.frame, all.bodies, all.are_blades_coupled, all.notes, {one.mode()}},
       one.modes->scenario);
 }
 
@@ -142,6 +142,9 @@ void bind_modes(py::module_& module) {
       .def_property_readonly(
           "modes", [](const Self& modes) { return list_modes(modes); },
           "By ascending magnitude of the eigenvalue; where blades do not couple, blade by blade.")
+      .def_property_readonly(
+          "notes", [](const Modes& modes) { return modes.result.notes; },
+          "What a reader of the modes should know: a frame that was chosen, air at rest.")
       .def_property_readonly("frequencies", numbers(&Mode::frequency), "(modes,) [rad/s]")
       .def_property_readonly("damping_ratios", numbers(&Mode::damping_ratio), "(modes,)")
       .def_property_readonly("eigenvalues", numbers(&Mode::eigenvalue), "(modes,) complex [rad/s]")

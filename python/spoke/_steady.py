@@ -50,7 +50,8 @@ def campbell(scenario, speeds, *, set=None, count=None, harmonics=6, threads=Non
                                   threads or 0, frame)
 
 
-def critical(scenario, of, start, end, *, set=None, speed=None, points=21, count=None):
+def critical(scenario, of, start, end, *, set=None, speed=None, points=21, count=None,
+             frame=None):
     """Finds the least value in a range at which an equilibrium is lost or a mode stops decaying.
 
     scenario, set: as of read_scenario().
@@ -60,12 +61,13 @@ def critical(scenario, of, start, end, *, set=None, speed=None, points=21, count
     speed: of the hub while a load is varied, as of equilibrium().
     points: values at which modes are sought, both ends included.
     count: modes to look at, as of modes().
+    frame: "turning" or "fixed", as of modes(); None: "fixed" for a rotor that turns on a support.
 
     Returns a Critical, whose value is None if the whole range is stable. Raises like modes() at the
     start, and InputError if the equilibrium is unstable there.
     """
     return _spoke._solve_critical(read_scenario(scenario, set), of, start, end, speed, points,
-                                  count)
+                                  count, frame)
 
 
 def performance(scenario, *, wind=None, tip_speed_ratio=None, pitch=None, joint="pitch",

@@ -76,5 +76,37 @@ TEST_CASE("equilibrium: what has none is refused in a line") {
         }) == "the speed is 1e+308, expected 0 or a magnitude from 1e-40 to 1e+30 (rad/s)");
 }
 
+/// A pendulum of 2 kg at 0.5 m on a hinge with a damper, 0.3 rad off its upright place.
+Scenario make_pendulum(double gravity, double damping) {
+  return parse_scenario(
+      "world = \"space\"\n[hub]\ninertia = 1.0\n[hub.drive]\nkind = \"constant\"\n"
+      "speed = 0.0\n[gravity]\nacceleration = [" +
+          std::to_string(gravity) +
+          ", 0, 0]\n[[subsystem]]\nname = \"p\"\n[[subsystem.body]]\nname = \"rod\"\n"
+          "kind = \"rigid\"\nmass = 2.0\ncenter = [0.5, 0, 0]\ninertia = [0.1, 0.1, 0.1]\n"
+          "[[subsystem.joint]]\nname = \"hinge\"\nparent = \"hub\"\nchild = \"rod\"\n"
+          "kind = \"revolute\"\naxis = [0, 1, 0]\ninitial = 0.3\ndamping = " +
+          std::to_string(damping) + "\n[integration]\nduration = 1.0\n",
+      "pendulum.toml");
+}
+
+TEST_CASE("equilibrium: says whether small motions decay") {
+  const double w = std::sqrt(2.0 * 9.81 * 0.5 / (0.1 + 2.0 * 0.25));  // sqrt(m g l/J)
+  const EquilibriumResult upright = solve_equilibrium(make_pendulum(-9.81, 0.0));
+  CHECK(upright.blades.at(0).joints.at(0).value == doctest::Approx(0.0).epsilon(1e-9));
+  REQUIRE(upright.stability);
+  CHECK(upright.stability->motions == SmallMotions::grow);
+  CHECK(upright.stability->rate == doctest::Approx(w).epsilon(1e-6));
+  CHECK(upright.stability->of == "p");
+  const EquilibriumResult hanging = solve_equilibrium(make_pendulum(9.81, 0.0));
+  REQUIRE(hanging.stability);
+  CHECK(hanging.stability->motions == SmallMotions::persist);
+  CHECK(hanging.stability->frequency == doctest::Approx(w).epsilon(1e-6));
+  const EquilibriumResult damped = solve_equilibrium(make_pendulum(9.81, 0.12));
+  REQUIRE(damped.stability);
+  CHECK(damped.stability->motions == SmallMotions::decay);
+  CHECK(damped.stability->rate == doctest::Approx(-0.12 / (2.0 * 0.6)).epsilon(1e-6));
+}
+
 }  // namespace
 }  // namespace spoke

@@ -5,6 +5,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
 
 #include "models/error.h"
 #include "tests/engine/steady/blades.h"
@@ -78,6 +81,81 @@ TEST_CASE("campbell: speeds without equilibrium are gaps, of which not all may b
   CHECK(test::message_of<DivergenceError>([&] {
           solve({0.0, 1.75});
         }).starts_with("no equilibrium found at 1.75 rad/s"));
+}
+
+/// Returns a rotor of three blades on a mast that rocks in two directions, all of random stiffness.
+Scenario make_random_rotor(std::mt19937& dice) {
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  const auto between = [&](double least, double most) {
+    return std::to_string(least * std::pow(most / least, uniform(dice)));
+  };
+  const auto rocking = [&](const char* parent, const char* child, const char* axis) {
+    return std::string("[[support.joint]]\n") +
+           (*parent ? "parent = \"" + std::string(parent) + "\"\n" : "") + "child = \"" + child +
+           "\"\nkind = \"revolute\"\naxis = " + axis + "\nstiffness = " + between(30.0, 600.0) +
+           "\n";
+  };
+  const std::string text =
+      "world = \"space\"\n[hub]\nmass = 1\ninertia = 0.1\n"
+      "[hub.drive]\nkind = \"constant\"\nspeed = 1\n[support]\nfrom = \"ground\"\n"
+      "[[support.body]]\nname = \"foot\"\nkind = \"rigid\"\nmass = 2\ninertia = 1\n"
+      "[[support.body]]\nname = \"mast\"\nkind = \"rigid\"\nmass = 5\ninertia = 1\n"
+      "center = [0, 0, 0.5]\n" +
+      rocking("", "foot", "[0, 1, 0]") + rocking("foot", "mast", "[1, 0, 0]") +
+      "[support.axle]\nbody = \"mast\"\noffset = [0, 0, 1]\n[blade]\ncount = 3\nlength = 2\n"
+      "bodies = 1\nelements = 2\n[blade.sections]\nmass_per_length = 1\naxial_stiffness = 1e5\n"
+      "flap_stiffness = " +
+      between(5.0, 50.0) + "\nlag_stiffness = " + between(10.0, 200.0) +
+      "\ntorsion_stiffness = 100\n[integration]\nduration = 1\n";
+  return parse_scenario(text, "rotor.toml");
+}
+
+TEST_CASE("campbell: branches of coarse and fine rows of speeds agree") {
+  std::mt19937 dice{52};
+  int compared = 0;
+  for (int model = 0; model < 8; ++model) {
+    CAPTURE(model);
+    const Scenario rotor = make_random_rotor(dice);
+    const auto solve = [&](int steps) {
+      CampbellOptions options{.count = 6};
+      for (int k = 0; k <= steps; ++k) options.speeds.push_back(8.0 * k / steps);
+      return solve_campbell(rotor, options);
+    };
+    const CampbellResult coarse = solve(2), fine = solve(16);
+    REQUIRE(coarse.branches.size() == 6);
+    for (std::size_t b = 0; b < 6; ++b)
+      for (const std::size_t k : {1u, 2u}) {
+        CAPTURE(b);
+        CAPTURE(k);
+        const auto& rough = coarse.branches[b].modes[k];
+        const auto& smooth = fine.branches[b].modes[8 * k];
+        if (!rough || !smooth) continue;
+        CHECK(coarse.states[k].modes[*rough].frequency ==
+              doctest::Approx(fine.states[8 * k].modes[*smooth].frequency).epsilon(1e-6));
+        ++compared;
+      }
+    for (const CampbellLoss& loss : coarse.losses)
+      CHECK_FALSE(coarse.branches[loss.branch].modes[loss.lost]);
+  }
+  CHECK(compared > 80);  // of 96: few branches leave the lowest modes
+}
+
+TEST_CASE("campbell: a branch goes on as the mode of its name, with any number of modes") {
+  // The whirls of blades on a tower are standing patterns at rest. Names do not hang on following.
+  const Scenario turbine = read_scenario(std::string(SPOKE_MODELS_DIR) + "/nrel_5mw_turbine.toml");
+  const CampbellResult found = solve_campbell(turbine, {.speeds = {0.0, 0.2}, .count = 5});
+  const ModesResult there = solve_modes(turbine, {.state = {0.2}, .count = 9});
+  const auto expected = std::find_if(there.modes.begin(), there.modes.end(), [](const Mode& mode) {
+    return mode.name == "flap 1 regressive";
+  });
+  REQUIRE(expected != there.modes.end());
+  REQUIRE(found.branches.size() == 5);
+  CHECK(found.states[0].modes[*found.branches[3].modes[0]].name == "flap 1 sine");
+  REQUIRE(found.branches[3].modes[1]);
+  const Mode& end = found.states[1].modes[*found.branches[3].modes[1]];
+  CHECK(end.name == "flap 1 regressive");
+  CHECK(end.frequency == doctest::Approx(expected->frequency).epsilon(1e-8));
+  CHECK(found.losses.empty());
 }
 
 }  // namespace

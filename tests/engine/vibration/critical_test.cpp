@@ -9,6 +9,7 @@
 #include <complex>
 #include <numbers>
 #include <string>
+#include <tuple>
 
 #include "models/error.h"
 #include "tests/engine/steady/blades.h"
@@ -278,6 +279,76 @@ TEST_CASE("critical: options that make no sense are refused") {
   CHECK(refusal({.of = "load=push", .from = 3.0, .to = 4.0})
             .find("times the load \"push\" the equilibrium is unstable already: lag ") !=
         std::string::npos);
+}
+
+/// A disc of 10 kg amid a light shaft of one metre between two bearings that hold its ends in their
+/// places; its centre is off the axis by e [m].
+Scenario make_unbalanced(const std::string& e) {
+  const auto half = [](const std::string& name) {
+    return "[[subsystem.body]]\nname = \"" + name +
+           "\"\nkind = \"beam\"\nlength = 0.5\nbodies = 1\nelements = 2\n"
+           "[subsystem.body.sections]\nmass_per_length = 0.01\naxial_stiffness = 6e7\n"
+           "flap_stiffness = 1000.0\nlag_stiffness = 1000.0\ntorsion_stiffness = 800.0\n";
+  };
+  return parse_scenario(
+      "world = \"space\"\n[hub]\naxis = [1, 0, 0]\ninertia = 1e-3\n[hub.drive]\n"
+      "kind = \"constant\"\nspeed = 50.0\n[[subsystem]]\nname = \"r\"\n" +
+          half("left") +
+          "[[subsystem.body]]\nname = \"disc\"\nkind = \"rigid\"\nmass = 10.0\n"
+          "inertia = [0.1, 0.05, 0.05]\ncenter = [0, " +
+          e + ", 0]\n" + half("right") +
+          "[[subsystem.joint]]\nparent = \"hub\"\nchild = \"left\"\nkind = \"universal\"\n"
+          "axes = [[0, 1, 0], [0, 0, 1]]\n[[subsystem.joint]]\nparent = \"left\"\n"
+          "child = \"disc\"\nkind = \"fixed\"\n[[subsystem.joint]]\nparent = \"disc\"\n"
+          "child = \"right\"\nkind = \"fixed\"\n[[subsystem.loop]]\nname = \"bearing\"\n"
+          "kind = \"spherical\"\nfrom = { body = \"right\", station = 0.5 }\n"
+          "to = { body = \"mount\", point = [1.0, 0, 0] }\n[integration]\nduration = 1.0\n",
+      "unbalanced.toml");
+}
+
+TEST_CASE("critical: an unbalanced shaft jumps where its steady state ends, whatever the points") {
+  // Simply supported, with the disc amid it: sqrt(48 EI/(L^3 m)), the shaft adding 17/35 of its
+  // mass.
+  const double linear = std::sqrt(48.0 * 1000.0 / (10.0 + 17.0 / 35.0 * 0.01));
+  const CriticalPoint balanced = find(
+      make_unbalanced("0.0"), {.of = "speed", .from = 50.0, .to = 90.0, .points = 5, .count = 3});
+  CHECK(balanced.kind == CriticalKind::critical_speed);
+  CHECK(balanced.value == Approx(linear).epsilon(1e-4));
+  // Tension stiffens the bent shaft, so that its whirl goes on beyond that speed.
+  const Scenario shaft = make_unbalanced("0.0001");
+  double value = 0.0;
+  for (const auto& [from, to, points] : {std::tuple{50.0, 90.0, 5}, {60.0, 80.0, 4}}) {
+    const CriticalResult found = solve_critical(
+        shaft, {.of = "speed", .from = from, .to = to, .points = points, .count = 3});
+    REQUIRE(found.critical);
+    CHECK(found.critical->kind == CriticalKind::jump);
+    CHECK(name_of(found.critical->kind) == "jump");
+    CHECK(found.critical->value > linear);
+    if (value != 0.0) CHECK(found.critical->value == Approx(value).epsilon(1e-7));
+    value = found.critical->value;
+    // Before, the disc is bent out with its unbalance; beyond, it turns about its centre of mass,
+    // and is bent much less: e w^2/(w^2 - linear^2).
+    REQUIRE(found.critical->beyond);
+    const auto joint = [&](std::size_t state) {
+      return std::abs(found.states[state].equilibrium.blades.at(0).joints.at(1).value);
+    };
+    CHECK(joint(*found.critical->beyond) < 0.2 * joint(found.critical->state));
+    CHECK(found.values[*found.critical->beyond] == Approx(value).epsilon(1e-5));
+  }
+  CHECK_FALSE(
+      solve_critical(shaft, {.of = "speed", .from = 50.0, .to = 68.0, .points = 4, .count = 3})
+          .critical);
+}
+
+TEST_CASE("critical: a model without stiffness does not grow at rest") {
+  // A blade on a free flap hinge is held by rotation alone.
+  const Scenario blade = make_spatial(
+      {.bodies = 1,
+       .elements = 1,
+       .joint = "[[blades.joint]]\nkind = \"revolute\"\naxis = [0, 1, 0]\nstation = 0.0\n"});
+  const CriticalResult found =
+      solve_critical(blade, {.of = "speed", .from = 0.0, .to = 2.0, .points = 3});
+  CHECK_FALSE(found.critical);
 }
 
 }  // namespace spoke

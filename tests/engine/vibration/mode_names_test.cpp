@@ -10,6 +10,7 @@
 
 #include "engine/campbell.h"
 #include "engine/modes.h"
+#include "engine/vibration/mode_parts.h"
 #include "models/scenario.h"
 #include "tests/engine/steady/blades.h"
 #include "tests/message_of.h"
@@ -107,15 +108,55 @@ TEST_CASE("modes: without a number there are as many as the model has") {
   CHECK(solve_modes(test::make_planar({.bodies = 1, .elements = 1})).modes.size() == 3);
   CHECK(solve_modes(test::make_planar({})).modes.size() == 10);
   CHECK(solve_campbell(test::make_planar({}), {.speeds = {0.0, 1.0}}).branches.size() == 6);
-  // The option is a number of modes.
-  CHECK(test::message_of([&] { solve_modes(top, {.state = {.speed = 0.0}, .count = 4}); }) ==
-        "4 modes, expected at most 3: there are no more of top");
-  CHECK(test::message_of([&] {
-          solve_campbell(top, {.speeds = {0.0, 1.0}, .count = 4});
-        }) == "4 modes, expected at most 3: there are no more of top");
+  // More than there are is said.
+  const ModesResult more = solve_modes(top, {.state = {.speed = 0.0}, .count = 4});
+  CHECK(more.modes.size() == 3);
+  CHECK(more.notes == std::vector<std::string>{"4 modes are asked for, top has 3"});
+  CHECK(solve_campbell(top, {.speeds = {0.0, 1.0}, .count = 4}).branches.size() <= 3);
   CHECK(test::message_of([&] {
           solve_campbell(top, {.speeds = {0.0, 1.0}, .count = 0});
         }) == "0 modes, expected 1 or more");
+}
+
+TEST_CASE("mode names: what creeps back is overdamped, and a kind of its own") {
+  // J s^2 + c s + k = 0 with J = 1/3 + 1e-8: real roots at 4 k J < c^2.
+  const Scenario blade =
+      test::make_spatial({.bodies = 1,
+                          .elements = 2,
+                          .joint = "[[blades.joint]]\nname = \"hinge\"\nkind = \"revolute\"\naxis "
+                                   "= [0, 1, 0]\nstation = 0.0\n"
+                                   "stiffness = 0.01\ndamping = 0.3\n"});
+  const ModesResult found = solve_modes(blade, {.state = {0.0}, .count = 6});
+  std::vector<double> real;
+  bool has_flap_1 = false;
+  for (const Mode& mode : found.modes) {
+    const bool creeps = mode.name.starts_with("overdamped ");
+    CHECK(creeps == (mode.frequency == 0.0));
+    CHECK(creeps == mode.kind.starts_with("overdamped "));
+    if (creeps) real.push_back(mode.eigenvalue.real());
+    has_flap_1 = has_flap_1 || mode.name == "flap 1";
+  }
+  REQUIRE(real.size() >= 2);
+  CHECK(real[0] ==
+        doctest::Approx((-0.3 + std::sqrt(0.09 - 4.0 * 0.01 / 3.0)) * 1.5).epsilon(0.02));
+  CHECK(has_flap_1);
+}
+
+TEST_CASE("mode names: a vibration is numbered behind overdamped ones of its kind") {
+  vibration::Numbering numbering;
+  numbering.count_root("flap");  // the slow root; the fast one is not among the lowest
+  Mode mode;
+  numbering.name("flap", mode);
+  CHECK(mode.name == "flap 2");
+  numbering.count_root("lag");
+  numbering.count_root("lag");
+  numbering.name("lag", mode);
+  CHECK(mode.name == "lag 2");
+  numbering.name("overdamped lag", mode);
+  CHECK(mode.name == "overdamped lag 1");
+  CHECK(vibration::kind_with_damping("flap", {-2.0, 0.05}, 0.05) == "overdamped flap");
+  CHECK(vibration::kind_with_damping("flap", {-2.0, 1.0}, 1.0) == "flap");
+  CHECK(vibration::kind_with_damping("flap", {2.0, 0.0}, 0.0) == "flap");  // diverges
 }
 
 }  // namespace spoke

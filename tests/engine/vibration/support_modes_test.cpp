@@ -388,5 +388,37 @@ TEST_CASE("support modes: what has no constant matrices is refused") {
         std::string::npos);
 }
 
+TEST_CASE("support modes: two blades have modes in a frame that is chosen, and named") {
+  const Scenario scenario = parse_scenario(
+      "world = \"space\"\n[hub]\nmass = 1\ninertia = 0.1\n[hub.drive]\nkind = \"constant\"\n"
+      "speed = 2.0\n[support]\nfrom = \"ground\"\n[[support.body]]\nname = \"mast\"\n"
+      "kind = \"rigid\"\nmass = 5\ninertia = 1\n[[support.joint]]\nchild = \"mast\"\n"
+      "kind = \"revolute\"\naxis = [0, 1, 0]\nstiffness = 100\n[support.axle]\nbody = \"mast\"\n"
+      "[blade]\ncount = 2\nlength = 2\nbodies = 1\nelements = 2\n[blade.sections]\n"
+      "mass_per_length = 1\naxial_stiffness = 1e4\nflap_stiffness = 1000\nlag_stiffness = 1000\n"
+      "torsion_stiffness = 1000\n[integration]\nduration = 1\n",
+      "two.toml");
+  const auto check = [&](double speed, ModeFrame frame, const std::string& word) {
+    const ModesResult chosen = solve_modes(scenario, {.state = {speed}, .count = 3});
+    CHECK(chosen.frame == frame);
+    REQUIRE(chosen.notes.size() == 1);
+    CHECK(chosen.notes[0].find(word) != std::string::npos);
+    const ModesResult asked = solve_modes(scenario, {.state = {speed}, .count = 3, .frame = frame});
+    CHECK(asked.notes.empty());
+    REQUIRE(asked.modes.size() == 3);
+    for (std::size_t k = 0; k < 3; ++k)
+      CHECK(asked.modes[k].eigenvalue == chosen.modes[k].eigenvalue);
+  };
+  check(0.0, ModeFrame::turning, "\"turning\"");
+  check(2.0, ModeFrame::floquet, "\"floquet\"");
+  CHECK(message_of([&] {
+          solve_modes(scenario, {.frame = ModeFrame::fixed});
+        }).find("expects three or more equal blades, got 2") != std::string::npos);
+  const std::string refused = message_of([&] {
+    solve_critical(scenario, {.of = "speed", .from = 0.0, .to = 1.0, .frame = ModeFrame::floquet});
+  });
+  CHECK(refused.find("expected \"turning\" or \"fixed\"") != std::string::npos);
+}
+
 }  // namespace
 }  // namespace spoke

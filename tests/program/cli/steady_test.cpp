@@ -132,13 +132,32 @@ TEST_CASE("frames that a model cannot be seen in are refused in one line") {
           "expects a hub that turns");
   refused({"modes", rotor, "--frame", "fixed", "--set", "blade.count=2"},
           "of modes the frame \"floquet\" takes any blades");
-  refused({"modes", rotor, "--frame", "fixed", "--count", "100000"}, "expected at most");
   refused({"modes", shipped("free_hub_satellite"), "--speed", "0.2", "--frame", "fixed"},
           "three or more equal blades");
   refused({"modes", shipped("heavy_top"), "--speed", "3", "--frame", "fixed"},
           "three or more equal blades, got 1");
   refused({"campbell", two, "--speeds", "1:2:0.5", "--frame", "fixed", "--set", "blade.count=1"},
           "three or more equal blades, got 1");
+}
+
+TEST_CASE("modes are capped, static tells what small motions do, critical has frames") {
+  const WorkFolder folder;
+  const std::string top = shipped("heavy_top");
+  const Ended capped =
+      run_spoke({"modes", top, "--speed", "3", "--count", "8", "--out", "x"}, folder);
+  CHECK(capped.status == 0);
+  CHECK(capped.out.find("8 modes are asked for, top has 3") != std::string::npos);
+  const std::string rotor = shipped("wu_haug_rotor");
+  const Ended still = run_spoke({"static", rotor, "--speed", "1", "--out", "y"}, folder);
+  CHECK(still.status == 0);
+  CHECK(still.out.find("small motions") != std::string::npos);
+  const json all = json::parse(file_text(folder.path() / "y" / "static.json"));
+  CHECK(all["stability"]["small_motions"] == "persist");
+  const Ended critical = run_spoke({"critical", rotor, "--of", "speed", "--from", "0", "--to", "1",
+                                    "--frame", "floquet", "--out", "z"},
+                                   folder);
+  CHECK(critical.status == 2);
+  CHECK(critical.err.find("--frame") != std::string::npos);
 }
 
 TEST_CASE("campbell follows modes and writes its files") {
