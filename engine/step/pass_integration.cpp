@@ -151,6 +151,25 @@ double mechanical_energy(const System<Space>& system, const HubState<Space>& hub
   return kinetic - system.gravity.dot(system.hub.mass * hub.p + hub.R * moment);
 }
 
+/// Returns the work on a hub whose whole motion is prescribed in a step, besides that on its
+/// subsystems [J].
+double work_in_step(const System<Plane>& system, double, double speed_before,
+                    const StepData<Plane>& data) {
+  return work_on_hub(system, speed_before, data.hub_coordinates.v[Plane::kAxial]);
+}
+double work_in_step(const System<Space>& system, double t_before, double,
+                    const StepData<Space>& data) {
+  return mechanical_energy(system, calc_hub_state(data)) -
+         mechanical_energy(system, calc_prescribed_motion(system, t_before).state);
+}
+
+/// Returns the wrench that the hub's own inertia takes at its present acceleration.
+template <class World>
+TwistOf<World> wrench_on_hub(const System<World>& system, const StepData<World>& data) {
+  return calc_hub_mass(system.hub) * data.hub_solution.acceleration -
+         calc_hub_force<World>(system.hub, data.hub, HubSolution<World>{});
+}
+
 /// Records place, velocity and orientation of the hub at the end of a step.
 template <class World>
 void record_hub(const StepData<World>& data, SystemRecord<World>& record) {
@@ -253,15 +272,20 @@ void finish_system(const System<World>& system, const Integrator& integrator,
   StepProgress& progress = data.progress[0];
   const HubSolution<World>& hub = data.hub_solution;
   PassReport report;
-  // Where the rotation in space is prescribed, the step's work on the hub's own inertia is known.
-  const bool is_turned = is_prescribed(system.hub, World::kAxial) && !has_mount(system.hub);
-  const double known =
-      is_turned ? axial_inertia(system.hub) * hub.acceleration[World::kAxial] : 0.0;
+  // The work on the inertia of a hub is known where its motion is: from the whole of it, or from
+  // its rotation.
+  const bool is_given = is_prescribed(system);
+  const bool is_turned =
+      !is_given && is_prescribed(system.hub, World::kAxial) && !has_mount(system.hub);
+  TwistOf<World> reaction = hub.reaction;
+  if (is_given) reaction -= wrench_on_hub(system, data);
+  if (is_turned)
+    reaction[World::kAxial] -= axial_inertia(system.hub) * hub.acceleration[World::kAxial];
   report.power.applied =
-      (hub.reaction[World::kAxial] - known + hub.applied_torque) * data.hub.twist[World::kAxial];
-  report.power.applied += mount_power(system.hub, hub.reaction, data.hub.twist);
+      (reaction[World::kAxial] + hub.applied_torque) * data.hub.twist[World::kAxial];
+  report.power.applied += mount_power(system.hub, reaction, data.hub.twist);
   report.power.applied += hub.load.dot(data.hub.twist);
-  if (system.gravity_ramp > 0.0) {
+  if (system.gravity_ramp > 0.0 && !is_given) {
     const PositionOf<World> gravity =
         data.hub.R.inverse() * system.gravity_at(progress.control.time);
     report.power.applied += gravity_power(system.hub, gravity, data.hub.twist);
@@ -277,10 +301,12 @@ void finish_system(const System<World>& system, const Integrator& integrator,
   SystemRecord<World>& record = of_step(data.records, progress.step);
   end_pass(integrator, data.window, report, progress, record.step);
   if (progress.completed < 0) return;
-  if (is_turned && progress.completed > 0) {
+  if ((is_given || is_turned) && progress.completed > 0) {
     const double before = static_cast<double>(progress.completed - 1) * step_size(integrator);
-    record.step.work += work_on_hub(system, calc_motion(system.hub.drive, before).speed,
-                                    data.hub_coordinates.v[World::kAxial]);
+    const double speed_before = calc_motion(system.hub.drive, before).speed;
+    record.step.work +=
+        is_given ? work_in_step(system, before, speed_before, data)
+                 : work_on_hub(system, speed_before, data.hub_coordinates.v[World::kAxial]);
   }
   record.reaction = hub.reaction;
   record.applied_torque = hub.applied_torque;
@@ -288,18 +314,6 @@ void finish_system(const System<World>& system, const Integrator& integrator,
 }
 
 namespace {
-
-/// Returns the work on a hub whose whole motion is prescribed in a step, besides that on its
-/// subsystems [J].
-double work_in_step(const System<Plane>& system, double, double speed_before,
-                    const StepData<Plane>& data) {
-  return work_on_hub(system, speed_before, data.hub_coordinates.v[Plane::kAxial]);
-}
-double work_in_step(const System<Space>& system, double t_before, double,
-                    const StepData<Space>& data) {
-  return mechanical_energy(system, calc_hub_state(data)) -
-         mechanical_energy(system, calc_prescribed_motion(system, t_before).state);
-}
 
 /// Returns the hub at the end of a step; in the plane its orientation, where anything depends on
 /// it.
