@@ -15,7 +15,7 @@ struct EnergyResidual {
   double time = 0.0;   ///< time at which it was reached first [s]
   /// Its magnitude as a fraction of the largest kinetic energy; 0 if there is none.
   double share = 0.0;
-  bool is_notable = false;  ///< whether the share is above a thousandth
+  bool is_notable = false;  ///< whether the share is above a thousandth, and no round-off
   std::string explanation;  ///< cause, where it is known; may be empty
 };
 
