@@ -14,6 +14,14 @@ struct MovedJoint {
   std::string unit{};   ///< "rad" or "m"
 };
 
+/// A coordinate of a joint whose speed was changed so that loops stay closed.
+struct ChangedSpeed {
+  std::string joint{};  ///< "blade 1 / pitch"
+  double from = 0.0;    ///< initial_speed
+  double to = 0.0;      ///< speed at the start
+  std::string unit{};   ///< "rad/s" or "m/s"
+};
+
 /// The freedoms of a blade or subsystem that has loops.
 struct SubsystemFreedoms {
   std::string name{};    ///< "blade 1"
@@ -29,6 +37,7 @@ struct LoopsAtStart {
   std::vector<SubsystemFreedoms> subsystems{};  ///< with loops, in the order of the scenario
   std::vector<std::string> redundant{};         ///< "ring / hinge_6: displacement along x"
   std::vector<MovedJoint> moved{};              ///< in the order of subsystems and bodies
+  std::vector<ChangedSpeed> speeds{};           ///< likewise
 };
 
 }  // namespace spoke

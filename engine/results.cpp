@@ -79,7 +79,7 @@ Json describe_rows(const Simulation& simulation, const RunStatistics& rows) {
 }
 
 Json describe_loops_at_start(const LoopsAtStart& loops) {
-  Json subsystems = Json::array(), moved = Json::array();
+  Json subsystems = Json::array(), moved = Json::array(), speeds = Json::array();
   for (const SubsystemFreedoms& own : loops.subsystems)
     subsystems.push_back({{"name", own.name},
                           {"joint_coordinates", own.joints},
@@ -89,7 +89,13 @@ Json describe_loops_at_start(const LoopsAtStart& loops) {
                           {"mobility", own.mobility}});
   for (const MovedJoint& joint : loops.moved)
     moved.push_back({{"joint", joint.joint}, {"by", joint.by}, {"unit", joint.unit}});
-  return {{"subsystems", subsystems}, {"redundant_rows", loops.redundant}, {"moved", moved}};
+  for (const ChangedSpeed& speed : loops.speeds)
+    speeds.push_back(
+        {{"joint", speed.joint}, {"from", speed.from}, {"to", speed.to}, {"unit", speed.unit}});
+  return {{"subsystems", subsystems},
+          {"redundant_rows", loops.redundant},
+          {"moved", moved},
+          {"changed_speeds", speeds}};
 }
 
 /// Describes the error of a step; nothing for rk4.

@@ -202,6 +202,8 @@ struct Joint {
   std::array<Vector, 2> axes{Vector::Zero(), Vector::Zero()};
   /// Coordinates: 3, of a bushing 6; the first count_coordinates(kind) are in use.
   std::vector<JointCoordinate> coordinates = std::vector<JointCoordinate>(3);
+  /// Whether closing loops at the start leaves its coordinates and their rates as they are given.
+  bool hold = false;
 };
 
 /// A joint of a blade; the part outboard of it is its child.

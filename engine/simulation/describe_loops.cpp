@@ -67,6 +67,12 @@ LoopsAtStart describe_loops(const SystemContext<World>& context,
         {names[i].name + " / " + names[i].joints[static_cast<std::size_t>(move.body)], move.by,
          move.is_angle ? "rad" : "m"});
   }
+  for (const LoopSpeed& speed : start.speeds) {
+    const auto i = static_cast<std::size_t>(speed.subsystem);
+    described.speeds.push_back(
+        {names[i].name + " / " + names[i].joints[static_cast<std::size_t>(speed.body)], speed.from,
+         speed.to, speed.is_angle ? "rad/s" : "m/s"});
+  }
   return described;
 }
 

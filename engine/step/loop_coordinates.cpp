@@ -24,7 +24,8 @@ void list_joint(const TreeBody<Space>& body, int j, double length,
     const bool is_spherical = primitive.kind == space::JointPrimitive::Kind::spherical;
     const int first = at;
     for (int c = 0; c < primitive.components(); ++c)
-      list.push_back({j, true, at++, slides ? length : 1.0, is_spherical ? first : -1});
+      list.push_back({j, true, at++, slides ? length : 1.0, is_spherical ? first : -1,
+                      !body.joint.course.held.empty()});
   }
 }
 
@@ -38,6 +39,12 @@ void fold_joint(BodyData<Space>& body) {
     space::fold(
         {&body.joint.coordinates, joint.spherical_at, body.joint.rotation, joint.spherical_frame});
 }
+
+const std::string& held_name(const TreeBody<Plane>&) {
+  static const std::string none;
+  return none;
+}
+const std::string& held_name(const TreeBody<Space>& body) { return body.joint.course.held; }
 
 double* driven_rate(BodyData<Plane>&, int) { return nullptr; }
 double* driven_rate(BodyData<Space>& body, int c) { return &body.joint.driven[c].rate; }
@@ -133,6 +140,24 @@ Eigen::MatrixXd LoopKinematics<World>::calc_jacobian(int count) {
   }
   evaluate();
   return jacobian;
+}
+
+template <class World>
+Eigen::MatrixXd LoopKinematics<World>::calc_free_jacobian(int count) {
+  Eigen::MatrixXd jacobian = calc_jacobian(count);
+  for (int c = 0; c < count; ++c)
+    if (coordinates_[static_cast<std::size_t>(c)].is_held) jacobian.col(c).setZero();
+  return jacobian;
+}
+
+template <class World>
+std::vector<std::string> LoopKinematics<World>::held_joints() const {
+  std::vector<std::string> names;
+  for_loop_bodies(subsystem_, data_.loops, [&](std::size_t j) {
+    if (const std::string& name = held_name(subsystem_.bodies[j]); !name.empty())
+      names.push_back(name);
+  });
+  return names;
 }
 
 template <class World>

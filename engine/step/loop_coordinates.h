@@ -4,6 +4,7 @@
 // as the start of a run needs them: found by unit speeds.
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 #include "engine/step/step_context.h"
@@ -14,9 +15,10 @@ namespace spoke {
 struct LoopCoordinate {
   int body = 0;
   bool is_joint = false;
-  int at = 0;          ///< its place in the block of coordinates
-  double scale = 1.0;  ///< of displacements the model's length: coordinates are angles then [m]
-  int spherical = -1;  ///< first coordinate of the orientation that it belongs to; -1: none
+  int at = 0;            ///< its place in the block of coordinates
+  double scale = 1.0;    ///< of displacements the model's length: coordinates are angles then [m]
+  int spherical = -1;    ///< first coordinate of the orientation that it belongs to; -1: none
+  bool is_held = false;  ///< stays as it is given
 };
 
 /// The loops of one subsystem while their start is found. Lengths are by the model's.
@@ -39,6 +41,10 @@ class LoopKinematics {
   Eigen::VectorXd given_rates() const;
   /// Returns d(rates)/d(speeds) of the first `count` coordinates, by row.
   Eigen::MatrixXd calc_jacobian(int count);
+  /// Returns that without the columns of coordinates that are held, which are zero.
+  Eigen::MatrixXd calc_free_jacobian(int count);
+  /// Returns the names of the joints that are held, each once.
+  std::vector<std::string> held_joints() const;
   /// Returns d(rates)/d(speed) of the driven component `c` of the joint of a body.
   Eigen::VectorXd calc_driven_column(int body, int c);
   /// Returns d(rates)/d(speed) of the hub about its axle.

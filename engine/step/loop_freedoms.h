@@ -15,6 +15,15 @@ struct LoopMove {
   double by = 0.0;       ///< of an orientation the angle, positive [rad, m]
 };
 
+/// The speed of a coordinate of a joint that was changed so that loops stay closed.
+struct LoopSpeed {
+  int subsystem = 0;
+  int body = 0;          ///< that the joint carries
+  bool is_angle = true;  ///< else a displacement
+  double from = 0.0;     ///< [rad/s, m/s]
+  double to = 0.0;       ///< [rad/s, m/s]
+};
+
 /// A row of a loop.
 struct LoopRowPlace {
   int subsystem = 0;
@@ -43,6 +52,7 @@ struct LoopLimits {
 
 struct LoopStart {
   std::vector<LoopMove> moves;
+  std::vector<LoopSpeed> speeds;
   std::vector<LoopRowPlace> dropped;   ///< redundant rows
   std::vector<LoopFreedoms> freedoms;  ///< by subsystem
 };

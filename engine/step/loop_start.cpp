@@ -68,9 +68,11 @@ LoopRowPlace place_of(const SubsystemData<World>& data, std::size_t subsystem, i
 template <class World>
 class LoopStarter {
  public:
-  LoopStarter(SystemContext<World>& context, std::size_t subsystem)
+  /// `holds`: whether joints that are to be held stay as they are.
+  LoopStarter(SystemContext<World>& context, std::size_t subsystem, bool holds)
       : context_(context),
         index_(subsystem),
+        holds_(holds),
         subsystem_(context.system.subsystems[subsystem]),
         data_(context.data.subsystems[subsystem]),
         kinematics_(context, subsystem) {}
@@ -91,8 +93,14 @@ class LoopStarter {
   void require_closed(const Eigen::VectorXd& openings);
   void require_no_fight(const RowRank& rank, const GivenRates& given) const;
 
+  /// Returns what to change of the first `count` coordinates so that the rows change by `right`.
+  Eigen::VectorXd solve(int count, const Eigen::VectorXd& right);
+  /// Returns "crank, rod" of the joints that are held; empty if none is.
+  std::string list_held() const;
+
   SystemContext<World>& context_;
   std::size_t index_;
+  bool holds_;
   Subsystem<World>& subsystem_;
   SubsystemData<World>& data_;
   LoopKinematics<World> kinematics_;
@@ -117,14 +125,31 @@ void LoopStarter<World>::measure_at_start() {
 }
 
 template <class World>
+Eigen::VectorXd LoopStarter<World>::solve(int count, const Eigen::VectorXd& right) {
+  if (!holds_) return solve_least(kinematics_.calc_jacobian(count), right);
+  Eigen::VectorXd by = solve_least(kinematics_.calc_free_jacobian(count), right);
+  for (int c = 0; c < count; ++c)  // to the bit
+    if (kinematics_.coordinates()[static_cast<std::size_t>(c)].is_held) by[c] = 0.0;
+  return by;
+}
+
+template <class World>
+std::string LoopStarter<World>::list_held() const {
+  std::string text;
+  if (!holds_) return text;
+  for (const std::string& name : kinematics_.held_joints())
+    text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+template <class World>
 void LoopStarter<World>::close() {
   constexpr int kMost = 100;
   constexpr double kRoundOff = 1e-15, kLongest = 0.5;
   kinematics_.evaluate();
   Eigen::VectorXd openings = kinematics_.openings();
   for (int i = 0; i < kMost && largest_of(openings) > kRoundOff; ++i) {
-    Eigen::VectorXd by =
-        solve_least(kinematics_.calc_jacobian(kinematics_.joint_count()), -openings);
+    Eigen::VectorXd by = solve(kinematics_.joint_count(), -openings);
     const double longest = largest_of(by);
     if (!(longest > 0.0)) break;
     if (longest > kLongest) by *= kLongest / longest;
@@ -147,10 +172,14 @@ void LoopStarter<World>::require_closed(const Eigen::VectorXd& openings) {
       place_of(data_, index_, kinematics_.rigid_rows()[static_cast<std::size_t>(row)]);
   const bool is_length = loop_of(row).rows[static_cast<std::size_t>(place.row)].is_length();
   const double opening = std::abs(openings[row]) * (is_length ? context_.data.length : 1.0);
-  throw fail(loop_of(row),
-             "cannot be closed: by moving joints its opening comes to " + number(opening) +
-                 (is_length ? " m" : " rad") +
-                 " at best, expected places, lengths and initial values of joints that fit");
+  const std::string best = number(opening) + (is_length ? " m" : " rad") + " at best, expected ";
+  const std::string held = list_held();
+  if (!held.empty())
+    throw fail(loop_of(row), "cannot be closed while joints are held (" + held +
+                                 "): by moving the others its opening comes to " + best +
+                                 "fewer joints with hold = true, or initial values that fit");
+  throw fail(loop_of(row), "cannot be closed: by moving joints its opening comes to " + best +
+                               "places, lengths and initial values of joints that fit");
 }
 
 // Joints alone, if they can; else deformations, too.
@@ -164,13 +193,21 @@ void LoopStarter<World>::close_rates() {
       const Eigen::VectorXd rates = kinematics_.rates();
       if (largest_of(rates) <= 1e-15 * scale) return;
       if (i > 0 && largest_of(rates) > 1e-9 * scale) break;
-      kinematics_.add_speeds(solve_least(kinematics_.calc_jacobian(count), -rates));
+      kinematics_.add_speeds(solve(count, -rates));
       kinematics_.evaluate();
     }
   const Eigen::VectorXd rates = kinematics_.rates();
   if (largest_of(rates) <= 1e-9 * scale) return;
   Eigen::Index row = 0;
   rates.cwiseAbs().maxCoeff(&row);
+  const std::string held = list_held();
+  if (!held.empty())
+    throw fail(loop_of(row), "opens at " + number(std::abs(rates[row])) +
+                                 " model lengths or rad a second at the initial_speed of the "
+                                 "joints that are held (" +
+                                 held +
+                                 "), and no other joint can follow; expected fewer joints with "
+                                 "hold = true, or speeds that fit");
   throw fail(loop_of(row), "prescribed motion fights it: at the start it opens at " +
                                number(std::abs(rates[row])) +
                                " model lengths or rad a second, and no joint can follow");
@@ -294,6 +331,26 @@ void add_moves(std::size_t i, const std::vector<double>& before, const Orientati
   }
 }
 
+/// Adds the coordinates whose given speeds have changed.
+void add_speeds(std::size_t, const SubsystemData<Plane>&, std::vector<LoopSpeed>&) {}
+void add_speeds(std::size_t i, const SubsystemData<Space>& data, std::vector<LoopSpeed>& speeds) {
+  constexpr double kLeast = 1e-9;
+  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
+    const BodyData<Space>& body = data.bodies[j];
+    const space::TreeJoint& joint = body.model->joint;
+    std::size_t at = 0;
+    for (const space::JointPrimitive& primitive : joint.joint.sequence()) {
+      if (primitive.is_driven) continue;
+      for (int c = 0; c < primitive.components(); ++c, ++at) {
+        const double from = joint.course.initial_speed[at], to = body.joint.coordinates.v[at];
+        if (from != 0.0 && std::abs(to - from) > kLeast * std::abs(from))
+          speeds.push_back({static_cast<int>(i), static_cast<int>(j),
+                            primitive.kind != space::JointPrimitive::Kind::prismatic, from, to});
+      }
+    }
+  }
+}
+
 }  // namespace
 
 LoopLimits make_loop_limits(const Integration& integration) {
@@ -316,13 +373,14 @@ void start_loops(SystemContext<World>& context) {
     has_loops = true;
     const std::vector<double> before = take_joints(data);
     const Orientations turned = take_orientations(data);
-    LoopStarter<World> starter(context, i);
+    LoopStarter<World> starter(context, i, true);
     starter.measure_at_start();
     starter.close();
     add_moves(i, before, turned, data, context.loop_start.moves);
     starter.find_rank(context.loop_limits.redundancy, context.loop_limits.duration);
     is_driven = is_driven || starter.is_driven();
     starter.close_rates();
+    add_speeds(i, data, context.loop_start.speeds);
   }
   if (has_loops && !is_driven) require_freedom(context);
 }
@@ -331,7 +389,7 @@ template <class World>
 void close_loops(SystemContext<World>& context) {
   for (std::size_t i = 0; i < context.system.subsystems.size(); ++i) {
     if (context.data.subsystems[i].loops.is_empty()) continue;
-    LoopStarter<World> starter(context, i);
+    LoopStarter<World> starter(context, i, false);
     starter.close();
     starter.close_rates();
   }

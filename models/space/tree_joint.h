@@ -3,6 +3,7 @@
 // A joint of a tree in space, with its prescribed motions and efforts over time.
 
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -36,6 +37,9 @@ struct JointCourse {
   int control = -1;
   std::vector<double> initial;        ///< coordinates at t = 0 [rad, m]
   std::vector<double> initial_speed;  ///< [rad/s, m/s]
+  /// Its name, for messages, if closing loops at the start leaves its coordinates and their rates
+  /// as they are; else empty.
+  std::string held;
 };
 
 /// A coordinate that slides along bodies which carry the joint. The child does not follow where

@@ -229,6 +229,9 @@ class SubsystemMaker {
     for (space::JointPrimitive& primitive : joint.primitives)
       primitive.axis = own.inverse() * primitive.axis;
     made.joint.course = make_course(body(j).joint);
+    if (body(j).joint.hold)
+      made.joint.course.held =
+          body(j).joint.name.empty() ? "that of " + body(j).name : body(j).joint.name;
     if (body(j).is_hub && !is_alone_) made.joint.course.drive = drive_;
   }
 

@@ -73,6 +73,17 @@ void print_loop_lines(const std::string& label, const std::vector<std::string>& 
   for (std::size_t k = 0; k < lines.size(); ++k) print_line(k == 0 ? label : "", lines[k]);
 }
 
+void print_changed_speeds(const std::vector<ChangedSpeed>& speeds) {
+  std::vector<std::string> lines;
+  for (std::size_t k = 0; k < speeds.size() && k < kMostMoved; ++k)
+    lines.push_back(fmt::format(
+        "{} from {:.6g} to {:.6g} {}, so that loops stay closed; hold = true on it keeps it",
+        speeds[k].joint, speeds[k].from, speeds[k].to, speeds[k].unit));
+  if (speeds.size() > kMostMoved)
+    lines.push_back(fmt::format("and {} further joints", speeds.size() - kMostMoved));
+  print_loop_lines("speeds", lines);
+}
+
 }  // namespace
 
 void print_loops(const Simulation& simulation) {
@@ -107,6 +118,7 @@ void print_moved_joints(const Simulation& simulation) {
   if (moved.size() > kMostMoved)
     lines.push_back(fmt::format("and {} further joints", moved.size() - kMostMoved));
   print_loop_lines("moved", lines);
+  print_changed_speeds(simulation.loops_at_start().speeds);
 }
 
 }  // namespace spoke::cli

@@ -65,6 +65,7 @@ std::string describe_coordinates(const Joint& joint) {
     text += coordinate.motion ? "prescribed" : is_sprung ? "sprung" : "free";
     if (joint.kind == spatial::JointKind::spherical) break;
   }
+  if (joint.hold) text += ", held where loops are closed";
   return text;
 }
 

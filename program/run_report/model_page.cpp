@@ -109,7 +109,8 @@ report::Table freedom_table(const LoopsAtStart& start) {
   report::Table table{
       "Free coordinates less independent rows are the mobility; redundant rows take no part. "
       "Moved: "
-      "joints that left their initial coordinates so that loops are closed.",
+      "joints that left their initial coordinates, or their initial speeds, so that loops are "
+      "closed.",
       {{"of"},
        {"joint coordinates"},
        {"of deformation"},
@@ -123,6 +124,8 @@ report::Table freedom_table(const LoopsAtStart& start) {
     std::vector<std::string> moved;
     for (const MovedJoint& joint : start.moved)
       moved.push_back(fmt::format("{} by {:.4g} {}", joint.joint, joint.by, joint.unit));
+    for (const ChangedSpeed& speed : start.speeds)
+      moved.push_back(fmt::format("{} to {:.4g} {}", speed.joint, speed.to, speed.unit));
     table.rows.push_back({{own.name, std::to_string(own.joints), std::to_string(own.deformations),
                            std::to_string(own.rows), std::to_string(own.mobility),
                            names_of(start.redundant, prefix), names_of(moved, prefix)}});

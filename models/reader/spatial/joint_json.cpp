@@ -103,6 +103,7 @@ void add_joint(const Joint& joint, Json& json) {
   const std::size_t count = count_of(joint);
   if (count == 0) return;
   add_numbers(joint, json);
+  if (joint.hold) json.set("hold", true);
   if (joint.kind == JointKind::bushing) return;  // its other keys follow from its springs
   const std::size_t ways = slides(joint.kind, static_cast<int>(count) - 1) ? 1 : 0;
   if (count > ways) add_effort("torque", joint.coordinates.data(), count - ways, json);

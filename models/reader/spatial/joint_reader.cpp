@@ -32,6 +32,7 @@ void check_kind_keys(const TomlSection& section, std::string_view kind) {
                                  {"damping", moving},
                                  {"initial", moving},
                                  {"initial_speed", moving},
+                                 {"hold", moving},
                                  {"rest", at_rest},
                                  {"stop", bounded},
                                  {"motion", bounded},
@@ -175,9 +176,9 @@ void read_motions(const TomlSection& section, Joint& joint) {
 }  // namespace
 
 TomlSection::Keys joint_keys() {
-  return {"name",        "kind",          "axis",    "axes",  "offset",
-          "orientation", "stiffness",     "damping", "rest",  "stop",
-          "initial",     "initial_speed", "torque",  "force", "motion"};
+  return {"name",      "kind",    "axis",  "axes",  "offset",  "orientation",
+          "stiffness", "damping", "rest",  "stop",  "initial", "initial_speed",
+          "hold",      "torque",  "force", "motion"};
 }
 
 Joint read_joint(const TomlSection& section) {
@@ -189,6 +190,7 @@ Joint read_joint(const TomlSection& section) {
   visit_fields(joint, VectorReader{section});
   read_axes(section, joint);
   read_numbers(section, joint);
+  joint.hold = section.flag("hold", false);
   const bool has_way = slides(joint.kind, count_coordinates(joint.kind) - 1);
   const std::size_t angles =
       static_cast<std::size_t>(count_coordinates(joint.kind)) - (has_way ? 1 : 0);

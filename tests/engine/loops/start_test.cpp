@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/kernels/samples.h"
 #include "engine/simulation.h"
 #include "engine/step/loop_rank.h"
 #include "models/error.h"
@@ -47,7 +48,73 @@ std::string refusal_of(const spatial::Model& model) {
   });
 }
 
+/// A slider-crank, 0.15 m and 0.3 m, whose slider goes along x. Speeds are asked of the crank
+/// alone.
+std::string make_slider_crank(const std::string& crank, const std::string& rod = "") {
+  return "world='space'\n[hub.drive]\nkind='fixed'\n[[subsystem]]\nname='sc'\nbody=["
+         "{ name='crank', kind='rigid', mass=0.3, center=[0.075,0,0], inertia=6e-4 },"
+         "{ name='rod', kind='rigid', mass=0.066, center=[0.15,0,0], "
+         "inertia=[1e-6,4.95e-4,4.95e-4] },"
+         "{ name='slider', kind='rigid', mass=0.25, inertia=1e-4 } ]\njoint=["
+         "{ name='A', parent='hub', child='crank', kind='revolute', axis=[0,0,1], " +
+         crank +
+         " }, { name='B', parent='crank', child='rod', kind='revolute', axis=[0,0,1],"
+         " offset=[0.15,0,0]" +
+         rod +
+         " }, { name='C', parent='rod', child='slider', kind='revolute', axis=[0,0,1],"
+         " offset=[0.3,0,0] } ]\n"
+         "loop=[ { name='guide', kind='prismatic', axis=[1,0,0], from={ body='slider' },"
+         " to={ body='hub' } } ]\n[integration]\nstep=1e-3\nduration=1\n";
+}
+
 }  // namespace
+
+TEST_CASE("the speed of a joint that is held stays, and the others follow") {
+  SystemContext<Space> context;
+  allocate_with(parse_model(make_slider_crank("initial=0.5, initial_speed=20, hold=true")), 1.0,
+                context);
+  SubsystemData<Space>& data = context.data.subsystems[0];
+  const auto angle = [&](std::size_t j) { return data.bodies[j].joint.coordinates.q[0]; };
+  const auto speed = [&](std::size_t j) { return data.bodies[j].joint.coordinates.v[0]; };
+  CHECK(angle(0) == 0.5);
+  CHECK(speed(0) == 20.0);
+  // The rod's angle in space: sin phi = -r/l sin theta.
+  const double phi = std::asin(-0.5 * std::sin(0.5));
+  const double phi_rate = -0.5 * 20.0 * std::cos(0.5) / std::cos(phi);
+  CHECK(angle(1) == doctest::Approx(phi - 0.5).epsilon(1e-12));
+  CHECK(angle(2) == doctest::Approx(-phi).epsilon(1e-12));
+  CHECK(speed(1) == doctest::Approx(phi_rate - 20.0).epsilon(1e-12));
+  CHECK(speed(2) == doctest::Approx(-phi_rate).epsilon(1e-12));
+  update_kinematics(context.system.subsystems[0], data);
+  CHECK(data.twists[2][0] ==
+        doctest::Approx(-0.15 * 20.0 * std::sin(0.5) - 0.3 * phi_rate * std::sin(phi))
+            .epsilon(1e-12));
+  CHECK(context.loop_start.speeds.empty());
+  CHECK(context.loop_start.moves.size() == 2);
+}
+
+TEST_CASE("a speed that is given and not held is shared out, which is told") {
+  SystemContext<Space> context;
+  allocate_with(parse_model(make_slider_crank("initial_speed=20")), 1.0, context);
+  REQUIRE(context.loop_start.speeds.size() == 1);
+  const LoopSpeed& told = context.loop_start.speeds[0];
+  CHECK(told.body == 0);
+  CHECK(told.is_angle);
+  CHECK(told.from == 20.0);
+  // The nearest speeds to (20, 0, 0) along (1, -3/2, 1/2), the way that the mechanism can go.
+  CHECK(told.to == doctest::Approx(20.0 / 3.5).epsilon(1e-12));
+}
+
+TEST_CASE("joints that cannot all be held are named") {
+  const auto refusal = [](const std::string& crank, const std::string& rod) {
+    return refusal_of(parse_model(make_slider_crank(crank, rod)));
+  };
+  const std::string open = refusal("initial=0.5, hold=true", ", hold=true");
+  CHECK(contains(open, "loop \"guide\" of sc: cannot be closed while joints are held (A, B)"));
+  const std::string fast = refusal("initial_speed=20, hold=true", ", hold=true");
+  CHECK(contains(fast, "initial_speed of the joints that are held (A, B)"));
+  CHECK(refusal("hold=true, initial_speed=20", ", initial_speed=-30, hold=true") == kNone);
+}
 
 TEST_CASE("rows that others make up are redundant, the later of equal ones") {
   Eigen::MatrixXd rows(4, 3);
