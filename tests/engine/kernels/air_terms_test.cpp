@@ -71,6 +71,8 @@ drag = [0.001, 0.6795, 1.5, 0.6795, 0.0317, 0.0203, 0.0088, 0.0056, 0.0057, 0.00
   0.0123, 0.0155, 0.0212, 0.0308, 0.0515, 0.0786, 0.6795, 1.5, 0.6795, 0.001]
 [wind]
 velocity = [7.92, 0, 1.11]
+[integration]
+duration = 0.3
 )";
 
 Scenario make(const std::string& text, double step, double duration,
