@@ -212,7 +212,7 @@ TEST_CASE("empty braces are a motion of a joint, not its course") {
   const std::string message = message_of([&] { simulation.set_joint_motion(0, pitch, 0, {}); });
   CHECK(message.find("it begins at 0 with the rate 0 and acceleration 0, expected 0.1") !=
         std::string::npos);
-  simulation.set_joint_motion(0, pitch, 0, 0.1);  // a number is a course that stays there
+  simulation.set_joint_motion(0, pitch, 0, Curve(0.1));  // a course that stays there
   CHECK(simulation.joint_motion(0, pitch).value == 0.1);
 }
 
