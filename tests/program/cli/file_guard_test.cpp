@@ -51,6 +51,9 @@ std::vector<Writer> writers() {
 void prepare(const Writer& writer, const WorkFolder& folder) {
   folder.write("small_BeamDyn.dat", file_text(kForeign / "small_BeamDyn.dat"));
   folder.write(writer.reads, file_text(writer.like));
+  if (writer.words.front() == "wind")  // its scenario names them
+    fs::create_directory_symlink(writer.like.parent_path() / "airfoils",
+                                 folder.path() / "airfoils");
 }
 
 }  // namespace
