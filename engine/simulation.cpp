@@ -6,11 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/equilibrium.h"
-#include "engine/plane/natural_frequencies.h"
 #include "engine/simulation/require_range.h"
 #include "engine/simulation/simulation_core.h"
-#include "engine/vibration/frequency_limits.h"
 #include "models/error.h"
 #include "models/reader/scenario_check.h"
 #include "models/support/nearest_name.h"
@@ -60,16 +57,6 @@ ModelSize Simulation::size() const {
 const graph::StepGraph& Simulation::step_graph() const { return core_->runner->step_graph(); }
 
 const graph::StepGraph& Simulation::run_graph() const { return core_->runner->run_graph(); }
-
-LinearProperties Simulation::linear_properties() const {
-  if (core_->given.space) {
-    const vibration::FrequencyLimits limits = vibration::find_frequency_limits(core_->given);
-    return {limits.lowest, limits.highest, limits.rk4.step};
-  }
-  const Rotor& rotor = core_->scenario.rotor;
-  const plane::FrequencyRange range = plane::calc_frequency_range(rotor);
-  return {range.lowest, range.highest, calc_rk4_step_with_drag(range, rotor)};
-}
 
 std::string_view Simulation::executor_name() const { return core_->runner->executor_name(); }
 std::string Simulation::executor_description() const { return core_->runner->describe(); }
@@ -180,13 +167,6 @@ void Simulation::set_anchor_course(std::string_view anchor, const spatial::Mount
 void Simulation::set_load(int index, std::shared_ptr<const Load> load) {
   core_->require_state("go on from with another load");
   core_->replace(core_->model->replaceable_load(index, load), load);
-}
-
-EquilibriumResult solve_equilibrium(const Simulation& simulation, const SteadyState& state) {
-  Scenario scenario = simulation.scenario();
-  Drive& drive = scenario.space ? scenario.space->hub.drive : scenario.rotor.hub.drive;
-  drive = simulation.drive();
-  return solve_equilibrium(scenario, state);
 }
 
 }  // namespace spoke

@@ -1,10 +1,9 @@
-// Calls Eigen's class of the same name for each decomposition.
+// Calls Eigen's class of the same name for each decomposition that steps do without.
 
 #include "engine/support/dense.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <Eigen/QR>
 #include <Eigen/SVD>
 #include <cassert>
@@ -16,34 +15,6 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
-
-struct LuFactors::Factors {
-  Eigen::PartialPivLU<MatrixXd> lu;
-};
-
-LuFactors::LuFactors() : factors_(std::make_unique<Factors>()) {}
-LuFactors::LuFactors(Index size)
-    : factors_(std::make_unique<Factors>(Factors{Eigen::PartialPivLU<MatrixXd>(size)})) {}
-LuFactors::LuFactors(const MatrixXd& matrix) : LuFactors() { compute(matrix); }
-LuFactors::LuFactors(LuFactors&& other) noexcept = default;
-LuFactors& LuFactors::operator=(LuFactors&& other) noexcept = default;
-LuFactors::~LuFactors() = default;
-
-void LuFactors::compute(const MatrixXd& matrix) {
-  assert(matrix.rows() == matrix.cols());
-  factors_->lu.compute(matrix);
-}
-
-MatrixXd LuFactors::solve(const MatrixXd& right) const { return factors_->lu.solve(right); }
-
-void LuFactors::solve(const VectorXd& right, VectorXd& solution) const {
-  assert(solution.size() == right.size());
-  solution.noalias() = factors_->lu.solve(right);
-}
-
-double LuFactors::rcond() const { return factors_->lu.rcond(); }
-
-VectorXd LuFactors::pivots() const { return factors_->lu.matrixLU().diagonal(); }
 
 struct CholeskyFactor::Factor {
   Eigen::LLT<MatrixXd> llt;
@@ -68,18 +39,6 @@ VectorXd CholeskyFactor::solve_upper(const VectorXd& x) const {
 }
 MatrixXd CholeskyFactor::solve_upper_on_the_right(const MatrixXd& x) const {
   return factor_->llt.matrixU().solve<Eigen::OnTheRight>(x);
-}
-
-void factorise_cholesky(MatrixXd& matrix) noexcept {
-  assert(matrix.rows() == matrix.cols());
-  Eigen::Ref<MatrixXd> place(matrix);
-  const Eigen::LLT<Eigen::Ref<MatrixXd>> in_place(place);
-}
-
-void solve_cholesky(const MatrixXd& factor, MatrixXd& right) noexcept {
-  assert(factor.rows() == right.rows());
-  factor.triangularView<Eigen::Lower>().solveInPlace(right);
-  factor.adjoint().triangularView<Eigen::Upper>().solveInPlace(right);
 }
 
 struct LeastSquares::Factors {

@@ -1,7 +1,7 @@
 #pragma once
 
-// Decompositions of dense matrices of any size, by Eigen. They are compiled in dense.cpp only: each
-// takes seconds in every source that names it.
+// Decompositions of dense matrices of any size, by Eigen. They are compiled in dense.cpp and,
+// those of steps, in dense_factors.cpp only: each takes seconds in every source that names it.
 
 #include <Eigen/Core>
 #include <memory>

@@ -1,7 +1,8 @@
 #pragma once
 
-// The commands of the program `spoke`, in the order of its help. Each returns the exit status.
-// Others, such as `spoke study`, are programs beside it.
+// The commands of the programs `spoke`, which makes runs, and `spoke-whole`, which has all that
+// need more of the engine, in the order of their help. Each returns the exit status. Others, such
+// as `spoke study`, are programs beside them.
 
 #include <vector>
 
@@ -51,7 +52,20 @@ int linearize(const Arguments& arguments);
 /// and DivergenceError if there are no such steps, having written nothing.
 int trace(const Arguments& arguments);
 
-/// Returns all commands of `spoke`, including those that are programs of their own.
+/// Returns the command `run` with its options.
+Command make_run();
+
+/// Throws OtherProgramNeeded if this program cannot run such a scenario: `spoke` has not the whole
+/// engine. One that has returns.
+void require_enough(const Scenario& scenario);
+/// Does so before the scenario is read, for what can be read once only, and where MPI is begun.
+void require_enough(const Arguments& arguments);
+
+/// Returns all commands, in the order of --help: of those that this program has, `own`, with
+/// options and what they do, of the others the programs that have them.
+std::vector<Command> list_commands(const std::vector<Command>& own);
+
+/// Returns all commands as `spoke-whole` has them.
 std::vector<Command> make_commands();
 
 }  // namespace spoke::cli

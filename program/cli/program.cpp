@@ -4,6 +4,7 @@
 
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -168,14 +169,57 @@ int execute(const Command& command, const Arguments& arguments, char** argv) {
   }
 }
 
+/// Returns the program of a command, "spoke-study".
+std::string program_of(const Command& command) {
+  return std::string("spoke-") + (command.program ? command.program : command.name);
+}
+
+/// Has the script ./spoke, by which this program was started, build another one. Returns whether
+/// there is such a script, and nothing went wrong.
+bool build_program(const std::string& name) {
+  const char* script = std::getenv("SPOKE_SCRIPT");
+  if (!script) return true;
+  const pid_t child = fork();
+  if (child == 0) {
+    execl(script, script, "--build", name.c_str(), nullptr);
+    _exit(127);
+  }
+  int status = 1;
+  while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return child > 0 && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+/// Replaces this process by the program beside it that has a command; `argv`: the words of this
+/// process, ended by a null pointer. Returns only if that cannot be started, with the exit status.
+int start_program(const Command& command, char** argv) {
+  const std::string name = program_of(command), called_as = std::string("spoke ") + command.name;
+  if (!build_program(name)) return complain(called_as + ": " + name + " could not be built", 2);
+  std::error_code none;
+  const auto file = std::filesystem::read_symlink("/proc/self/exe", none).parent_path() / name;
+  std::string called = file.string();
+  std::vector<char*> words = {called.data()};
+  for (char** word = argv + (command.program ? 1 : 2); *word; ++word) words.push_back(*word);
+  words.push_back(nullptr);
+  execv(called.c_str(), words.data());
+  const std::string reason = std::strerror(errno);
+  return complain(called_as + ": cannot start " + called + ": " + reason +
+                      ", expected the program " + name +
+                      " beside spoke (it is built by the target of this name)",
+                  2);
+}
+
 int run_words(const std::vector<Command>& commands, const std::vector<std::string>& words,
               char** argv) {
   const bool has_output = prepare_process();
+  const Command* command = nullptr;
   try {
     Arguments arguments;
-    const Command* command = parse(commands, words, arguments);
+    command = parse(commands, words, arguments);
     const int status = command ? execute(*command, arguments, argv) : 0;
     return finish_output(status, !has_output && (!command || command->prints_result));
+  } catch (const OtherProgramNeeded&) {
+    return start_program(*command, argv);
   } catch (const InputError& error) {
     return complain(error.what(), 2);
   } catch (const DivergenceError& error) {
@@ -185,24 +229,6 @@ int run_words(const std::vector<Command>& commands, const std::vector<std::strin
   } catch (const std::exception& error) {
     return complain(std::string("spoke: internal error: ") + error.what(), 1);
   }
-}
-
-/// Replaces this process by the program beside it that has the command `argv[1]`. Returns only if
-/// that cannot be started, with the exit status.
-int start_program(int argc, char** argv) {
-  const std::string name = std::string("spoke-") + argv[1];
-  std::error_code none;
-  const auto file = std::filesystem::read_symlink("/proc/self/exe", none).parent_path() / name;
-  std::vector<char*> words(argv + 1, argv + argc);
-  std::string called = file.string();
-  words[0] = called.data();
-  words.push_back(nullptr);
-  execv(called.c_str(), words.data());
-  const std::string reason = std::strerror(errno);
-  return complain("spoke " + std::string(argv[1]) + ": cannot start " + called + ": " + reason +
-                      ", expected the program " + name +
-                      " beside spoke (it is built by the target of this name)",
-                  2);
 }
 
 }  // namespace
@@ -221,7 +247,7 @@ int run_program(const std::vector<Command>& commands, int argc, char** argv) {
   if (argc > 1)
     for (const Command& command : commands)
       if (!command.execute && std::string(argv[1]) == command.name)
-        return start_program(argc, argv);
+        return start_program(command, argv);
   return run_words(commands, {argv + 1, argv + argc}, argv);
 }
 

@@ -1,9 +1,10 @@
 #pragma once
 
 // A program that runs commands: from the words of a command line to an exit status. `spoke` is one.
-// Some of its commands are programs of their own, which it starts: `spoke study` starts
-// `spoke-study`, which stands beside it, knows this command alone, and may be started by itself. A
-// build may leave them out.
+// Most of its commands are those of other programs, which stand beside it and which it starts:
+// `spoke study` starts `spoke-study`, which knows this command alone; `spoke static` starts
+// `spoke-whole`, which knows all that need the whole engine. Each may be started by itself. A build
+// may leave them out; the script ./spoke builds them when they are first asked for.
 
 #include <functional>
 #include <string>
@@ -20,9 +21,11 @@ namespace spoke::cli {
 /// A command of a program.
 struct Command {
   const char* name;
-  const char* summary;  ///< line in the program's --help
-  /// Adds the command's options, which refer to `arguments`. Null: the command is a program of its
-  /// own.
+  /// The command is one of the program `spoke-PROGRAM`; null: it is all of the program
+  /// `spoke-NAME`.
+  const char* program = nullptr;
+  const char* summary = "";  ///< line in the program's --help
+  /// Adds the command's options, which refer to `arguments`. Null: another program has the command.
   std::function<void(CLI::App& command, Arguments& arguments)> add_options = nullptr;
   /// Returns the exit status.
   std::function<int(const Arguments& arguments)> execute = nullptr;
@@ -32,6 +35,9 @@ struct Command {
   /// command goes on with such, else an empty text. May be null.
   std::function<std::string(const Arguments& arguments)> instructions_before = nullptr;
 };
+
+/// What a command throws, before it writes anything, if it needs what only its other program has.
+struct OtherProgramNeeded {};
 
 /// Prepares streams, signals and environment of a process. Returns false if standard output is
 /// closed.

@@ -420,6 +420,7 @@ int complete(Prepared& run, const Arguments& arguments, ranks::Launch& launch) {
 }  // namespace
 
 int run(const Arguments& arguments) {
+  require_enough(arguments);
   ranks::Launch launch;
   if (!launch.is_first()) return follow(arguments, launch);
   const std::unique_ptr<Exchange> exchange = launch.make_exchange();

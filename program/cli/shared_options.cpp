@@ -69,6 +69,16 @@ void add_executor(CLI::App& run, Arguments& arguments) {
       ->type_name("NAME");
 }
 
+/// Throws CLI::ValidationError unless the executor runs on such threads; neither option alone shows
+/// that.
+void check_threads(const SimulationOptions& options) {
+  try {
+    graph::check_threads(options.executor, options.threads);
+  } catch (const InputError& error) {
+    throw CLI::ValidationError("--threads", error.what());
+  }
+}
+
 }  // namespace
 
 void add_common(CLI::App& command, Arguments& arguments) {
@@ -154,6 +164,7 @@ void add_running(CLI::App& command, Arguments& arguments) {
       ->check(CLI::Range(1, kMostWindow))
       ->type_name("STEPS");
   add_instructions(command, arguments);
+  command.callback([&] { check_threads(arguments.options); });
 }
 
 }  // namespace spoke::cli

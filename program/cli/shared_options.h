@@ -29,7 +29,7 @@ void add_integrator(CLI::App& command, Arguments& arguments);
 /// Adds --instructions.
 void add_instructions(CLI::App& command, Arguments& arguments);
 /// Adds the options of commands that simulate: formulation, integrator, executor, threads and
-/// window.
+/// window; refuses an executor that does not run on such threads.
 void add_running(CLI::App& command, Arguments& arguments);
 
 }  // namespace spoke::cli

@@ -17,6 +17,7 @@
 #include "models/error.h"
 #include "program/cli/build_simulation.h"
 #include "program/cli/checkpoints.h"
+#include "program/cli/commands.h"
 #include "program/cli/interruption.h"
 
 namespace spoke::cli {
@@ -56,6 +57,7 @@ void make_steps(Simulation& simulation, const ranks::Launch& launch) {
 Scenario read_run(const Arguments& arguments) {
   Scenario scenario = read_scenario(arguments.scenario, arguments.overrides);
   if (arguments.integrator) scenario.integration.method = *arguments.integrator;
+  require_enough(scenario);
   return scenario;
 }
 

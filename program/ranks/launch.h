@@ -10,6 +10,9 @@
 
 namespace spoke::ranks {
 
+/// Whether a launcher such as mpirun has started this process beside others.
+bool is_launched();
+
 /// This process among those of `mpirun -n P spoke ...`; the only one otherwise, and in builds
 /// without MPI. There is at most one object in a process.
 class Launch {

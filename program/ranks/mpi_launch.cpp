@@ -12,13 +12,6 @@
 namespace spoke::ranks {
 namespace {
 
-/// Whether a launcher has started this process beside others. Alone, MPI is not begun at all.
-bool is_launched() {
-  for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_SIZE", "PMI_RANK"})
-    if (std::getenv(variable) != nullptr) return true;
-  return false;
-}
-
 /// An error of MPI ends all processes.
 class MpiExchange final : public Exchange {
  public:
@@ -44,6 +37,13 @@ class MpiExchange final : public Exchange {
 
 }  // namespace
 
+bool is_launched() {
+  for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_SIZE", "PMI_RANK"})
+    if (std::getenv(variable) != nullptr) return true;
+  return false;
+}
+
+// Alone, MPI is not begun at all.
 Launch::Launch() {
   if (!is_launched()) return;
   int provided = 0;

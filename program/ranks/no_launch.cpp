@@ -4,6 +4,8 @@
 
 namespace spoke::ranks {
 
+bool is_launched() { return false; }
+
 Launch::Launch() = default;
 Launch::~Launch() = default;
 
