@@ -108,16 +108,17 @@ TEST_CASE("version 2 gives the blade of version 1") {
 TEST_CASE("faults of version 2 are refused") {
   constexpr const char* name = "small_windio_2.yaml";
   const std::string good = samples().at(name);
-  check_refused(name, {name},
-                {{replaced(good, "    structure:", "    parts:"), "has no key structure"},
-                 {replaced(good, "K44:", "K4:"), "has no key K44, expected components.blade"},
-                 {replaced(good, "K12: [", "K12: [1, "), "K12: has 5 elements, expected 4"},
-                 {replaced(good, "K33: [", "K33: [-"), "stiffness_matrix: section 1 has -"},
-                 {replaced(good, "i_flap: [", "i_flap: [-"), "inertia_matrix: section 1 has -"},
-                 {replaced(good, "mu: [0.002", "mu: [-0.002"), "mu: is -0.002, expected numbers"},
-                 {replaced(good, "mu: [0.002,", "mu: ["), "mu: has 5 elements, expected 6"},
-                 {replaced(good, "windIO_version: '2.0'", "windIO_version: '1.0'"),
-                  "has no key elastic_properties_mb"}});
+  check_refused(
+      name, {name},
+      {{replaced(good, "    structure:", "    parts:"), "has no key structure"},
+       {replaced(good, "K44:", "K4:"), "has no key K44, expected it beside \"grid\", \"K11\""},
+       {replaced(good, "K12: [", "K12: [1, "), "K12: has 5 elements, expected 4"},
+       {replaced(good, "K33: [", "K33: [-"), "stiffness_matrix: section 1 has -"},
+       {replaced(good, "i_flap: [", "i_flap: [-"), "inertia_matrix: section 1 has -"},
+       {replaced(good, "mu: [0.002", "mu: [-0.002"), "mu: is -0.002, expected numbers"},
+       {replaced(good, "mu: [0.002,", "mu: ["), "mu: has 5 elements, expected 6"},
+       {replaced(good, "windIO_version: '2.0'", "windIO_version: '1.0'"),
+        "has no key elastic_properties_mb"}});
 }
 
 TEST_CASE("a downwind rotor is coned downwind") {
