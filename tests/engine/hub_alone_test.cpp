@@ -110,3 +110,34 @@ TEST_CASE("a hub whose motion is prescribed needs blades, and what is on blades 
   CHECK(message_of([&] { check_scenario(filled); }) ==
         "load: is on blades, of which there are none");
 }
+
+TEST_CASE("the work on a hub with its mass off the axle is its energy, by any formulation") {
+  // A speck of mass is the blade. Gravity is across the axle, and the steps are long.
+  const std::string text = R"(
+world = "space"
+[hub]
+mass = 4.0
+center = [0.3, 0.1, 0.0]
+inertia = 2.0
+[hub.drive]
+kind = "constant"
+speed = 5.0
+[gravity]
+acceleration = [0.0, -9.81, 0.0]
+[[subsystem]]
+name = "s"
+body = [{ name = "speck", kind = "rigid", mass = 1e-9, inertia = 1e-9 }]
+joint = [{ parent = "hub", child = "speck", kind = "fixed" }]
+[integration]
+step = 0.02
+duration = 0.4
+)";
+  const double angle = 5.0 * 0.4;
+  const double rise = 0.3 * std::sin(angle) + 0.1 * std::cos(angle) - 0.1;
+  for (const Formulation formulation : formulations()) {
+    Simulation simulation = make(text, formulation);
+    simulation.run_until(0.4);
+    CHECK(value_of("energy.work", simulation) == Approx(4.0 * 9.81 * rise).epsilon(1e-7));
+    CHECK(std::abs(value_of("energy.residual", simulation)) < 1e-6);
+  }
+}
