@@ -8,6 +8,7 @@
 #include <string>
 
 #include "engine/simulation.h"
+#include "models/error.h"
 #include "tests/engine/space/system/models.h"
 
 using namespace spoke;
