@@ -196,7 +196,7 @@ std::string_view word_of(SmallMotions motions) {
 
 /// Returns what small motions do, and which of them decays least.
 std::string stability_text(const EquilibriumResult& result) {
-  if (!result.stability) return "not known here: spoke modes --frame floquet may tell";
+  if (!result.stability) return "not known: spoke modes tells, or says why not";
   const Stability& stability = *result.stability;
   const std::string mode = stability.mode + " of " + stability.of;
   switch (stability.motions) {

@@ -51,7 +51,7 @@ TEST_CASE("loops: a four-bar under gravity rests and vibrates as its one angle s
   CHECK(found.joints.at(2).value == doctest::Approx(rocker).epsilon(1e-9));
   CHECK(modes.modes.at(0).frequency == doctest::Approx(frequency).epsilon(1e-8));
   CHECK(modes.modes.at(0).coordinates.size() == 3);
-  CHECK(message_of([&] { solve_modes(scenario, {.count = 2}); }) != "no error");
+  CHECK(solve_modes(scenario, {.count = 2}).notes.size() == 1);  // there is one
   // The rocker's moments about its joint balance.
   const Vector3d tip(bars.rocker * std::cos(rocker), bars.rocker * std::sin(rocker), 0.0);
   const Vector3d weight(0.0, -bars.masses[2] * bars.gravity, 0.0);
