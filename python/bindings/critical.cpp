@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "program/steady_report/critical_files.h"
+#include "program/steady_report/modes_page.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/modes.h"
 #include "python/bindings/results.h"

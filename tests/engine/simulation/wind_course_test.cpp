@@ -89,7 +89,7 @@ TEST_CASE("a wind that jumps is that of a scenario that blows so, once the air h
   scenario.integration.step = other.integration.step = 2e-4;
   other.space->air->wind.velocity = {0.0, 5.0, 0.0};
   other.space->air->wind.kept.reset();
-  Simulation simulation(scenario, kSerialWind), expected(other, kOneThread);
+  Simulation simulation(scenario, kSerialWind), expected(other, kSerialWind);
   set_wind(simulation, {0.0, 0.0, {}, {0.0, 5.0, 0.0}});
   for (Simulation* each : {&simulation, &expected}) each->run_until(0.1);
   for (const std::string name : {"hub.speed", "blade1.tip.z", "air.thrust", "air.wind"}) {

@@ -303,8 +303,6 @@ TEST_CASE("static, modes, campbell and linearize refuse bad input in one line") 
   check_refused({"static", shipped("satellite_booms")},
                 "hub.support: the hub is free, expected an axle: nothing holds the model");
   check_refused({"modes", scenario, "--count", "0"}, "--count: Value 0 not in range");
-  check_refused({"modes", scenario, "--count", "1000"},
-                "1000 modes, expected at most 48: there are no more of blades 1 to 3");
   check_refused(
       {"modes", scenario, "--set", "hub.drive={kind=\"torque\",torque=1.0}"},
       "hub.drive: a torque has no steady speed by itself, expected a speed to be given (--speed)");
