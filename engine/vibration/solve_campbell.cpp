@@ -115,9 +115,14 @@ void follow_branches(const Scenario& scenario, const CampbellOptions& options,
       return std::nullopt;
     }
   };
+  // Modes by Floquet's theory take too long for speeds that nobody has asked for.
+  const bool is_dear =
+      std::any_of(result.states.begin(), result.states.end(),
+                  [](const ModesResult& state) { return state.frame == ModeFrame::floquet; });
   const vibration::BetweenStates between{options.speeds, solve};
-  result.branches = vibration::follow_modes(result.states, options.count.value_or(options.most),
-                                            vibration::ThroughZero::yes, &between);
+  result.branches =
+      vibration::follow_modes(result.states, options.count.value_or(options.most),
+                              vibration::ThroughZero::yes, is_dear ? nullptr : &between);
   for (std::size_t b = 0; b < result.branches.size(); ++b) {
     const auto& modes = result.branches[b].modes;
     std::optional<std::size_t> last;

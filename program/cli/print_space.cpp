@@ -11,9 +11,11 @@
 #include <filesystem>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "models/count_text.h"
+#include "models/tree/space_beam.h"
 #include "models/tree/tree.h"
 #include "program/cli/report.h"
 
@@ -180,11 +182,16 @@ void print_lines(const std::string& label, const std::vector<std::string>& lines
   for (std::size_t i = 0; i < lines.size(); ++i) print_line(i == 0 ? label : "", lines[i]);
 }
 
-/// Returns the tree's mass properties in the frame of its first body.
+/// Returns the tree's mass properties in the frame of its first body; of a beam in that of the
+/// whole beam, whose axis may begin beside its origin.
 MassProperties seen_from_root(const Tree& tree) {
-  const spatial::Placement& root = tree.bodies.front().placement;
-  const spatial::Tensor back = root.rotation.transpose();
-  return calc_mass_properties(tree).seen_from_outside({-(back * root.position), back});
+  const TreeBody& first = tree.bodies.front();
+  const spatial::Tensor back = first.placement.rotation.transpose();
+  spatial::Vector begin = spatial::Vector::Zero();
+  if (const auto* beam = std::get_if<spatial::FlexibleBody>(&first.shape))
+    begin = spatial::find_axis_begin(tree.beams[beam->beam].sections);
+  return calc_mass_properties(tree).seen_from_outside(
+      {begin - back * first.placement.position, back});
 }
 
 void print_sizes(const std::vector<Tree>& trees) {
