@@ -166,8 +166,10 @@ double work_in_step(const System<Space>& system, double t_before, double,
 /// Returns the wrench that the hub's own inertia takes at its present acceleration.
 template <class World>
 TwistOf<World> wrench_on_hub(const System<World>& system, const StepData<World>& data) {
+  HubSolution<World> none{};
+  none.load.setZero();
   return calc_hub_mass(system.hub) * data.hub_solution.acceleration -
-         calc_hub_force<World>(system.hub, data.hub, HubSolution<World>{});
+         calc_hub_force<World>(system.hub, data.hub, none);
 }
 
 /// Records place, velocity and orientation of the hub at the end of a step.

@@ -129,8 +129,12 @@ TEST_CASE("an unfinished study is not thrown away, and resumed to the bytes of a
                 "--resume, or another folder",
                 folder.work());
   CHECK(folder.run({"--out", "cut", "--resume", "--threads", "2"}) == whole);
-  folder.work().write("cut/study.h5", "damaged");            // is written anew
-  CHECK(folder.run({"--out", "cut", "--resume"}) == whole);  // of a study that is complete
+  folder.work().write("cut/study.h5", "damaged");  // is written anew, of a study that is complete
+  check_refused({"study", "study.toml", "--out", "cut", "--resume"},
+                "cut/study.h5: cannot be written: there is a file that is not a file of HDF5, "
+                "expected another name, or --force to replace it",
+                folder.work());
+  CHECK(folder.run({"--out", "cut", "--resume", "--force"}) == whole);
   folder.write_study(std::string("# changed\n") + kSmallStudy);
   check_refused({"study", "study.toml", "--out", "cut", "--resume"},
                 "cut/study.journal: is of another study, expected the same one to resume: "
