@@ -75,12 +75,12 @@ SliceMemory memory_of_slices(BodyData<Space>& body);
 
 /// Lists the memory of the formulation `structured` for a body besides the elimination of its
 /// joint: its response, the workspace of that, and its multi-port if that is no part of the
-/// response.
+/// response. `by_mass`: of a body that is eliminated by its mass.
 Memory memory_of_inverse(BodyData<Plane>& body, plane::Condensed& work);
 Memory memory_of_inverse(BodyData<Space>& body, BodyTypes<Space>::Condensed& work);
 Memory memory_of_workspace(BodyData<Plane>& body, plane::Condensed& work);
 inline Memory memory_of_workspace(BodyData<Space>&, BodyTypes<Space>::Condensed&) { return {}; }
-inline Memory memory_of_port(BodyData<Plane>&) { return {}; }
-Memory memory_of_port(BodyData<Space>& body);
+inline Memory memory_of_port(BodyData<Plane>&, bool) { return {}; }
+Memory memory_of_port(BodyData<Space>& body, bool by_mass);
 
 }  // namespace spoke

@@ -174,9 +174,10 @@ SliceMemory memory_of_slices(BodyData<Space>& body) {
   return memory;
 }
 
-Memory memory_of_port(BodyData<Space>& body) {
+Memory memory_of_port(BodyData<Space>& body, bool by_mass) {
   const tree::MultiPort<Space>& port = body.work.port;
   const auto n = static_cast<std::size_t>(port.handles);
+  if (by_mass) return {memory_of(port.diagonal, 1), memory_of(port.free, n)};
   Memory memory{memory_of(port.diagonal, n), memory_of(port.free, n)};
   const int pairs = tree::MultiPort<Space>::count_pairs(port.handles);
   if (pairs > 0) memory.push_back(memory_of(port.pairs, static_cast<std::size_t>(pairs)));

@@ -163,6 +163,7 @@ void join_children_by_mass(const Subsystem<Space>& subsystem, std::size_t j,
     const space::JointTerms joint = joint_of(subsystem, data, c);
     tree::JointElimination<Space>& own = work.bodies[c].joint;
     tree::eliminate_joint_by_mass(joint, work.bodies[c].branch, own.Pi, own.response);
+    own.rhs.setZero();  // of compliances alone
     const tree::Branch<Space> felt = tree::pass_inward(
         joint, own.Pi, own.response, acceleration_of(body, space::Twist::Zero(), h));
     const space::Position place = place_of(body, h);
@@ -175,6 +176,7 @@ tree::HubShare<Space> eliminate_root_by_mass(const space::JointTerms& joint,
                                              const tree::Branch<Space>& branch,
                                              tree::RootElimination<Space>& root) noexcept {
   tree::eliminate_joint_by_mass(joint, branch, root.mass, root.response);
+  root.free.setZero();  // of compliances alone
   const tree::Branch<Space> felt =
       tree::pass_inward(joint, root.mass, root.response, space::Twist(space::Twist::Zero()));
   return {felt.Lambda, felt.free};

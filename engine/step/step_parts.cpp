@@ -35,7 +35,7 @@ void add_inverse_parts(SystemContext<World>& context, int i, int j, const std::s
     parts.inverse = builder.add_part(name + "inverse", memory_of_inverse(body, work));
     if (Memory memory = memory_of_workspace(body, work); !memory.empty())
       parts.workspace = builder.add_part(name + "workspace", memory);
-    if (Memory memory = memory_of_port(body); !memory.empty())
+    if (Memory memory = memory_of_port(body, work.by_mass); !memory.empty())
       parts.port = builder.add_part(name + "port", memory);
     if (!parts.is_root) parts.joint = builder.add_part(name + "joint", {bytes_of(work.joint)});
   } else if (context.formulation == Formulation::subsystem) {
@@ -127,8 +127,9 @@ void add_loop_columns(SystemContext<World>& context, int i, std::size_t k, const
     columns.push_back(bytes_of(loops.branches[row * bodies], rows * bodies));
     for (auto* of_joints : {&loops.joints, &loops.joint_forces})
       columns.push_back(bytes_of((*of_joints)[path.first_joint], path.columns()));
-    parts.scratch.push_back(builder.add_part(
-        own + "scratch", {bytes_of(loops.scratch[row * handles], rows * handles)}));
+    if (!context.work.structured[i].by_mass)
+      parts.scratch.push_back(builder.add_part(
+          own + "scratch", {bytes_of(loops.scratch[row * handles], rows * handles)}));
   } else {
     auto& work = context.work.subsystem[i].loops[k];
     columns.push_back(memory_of(work.right));
