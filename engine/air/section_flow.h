@@ -31,7 +31,7 @@ struct SectionAxes {
 /// cancel. size: of the velocities [m/s].
 inline double without_rounding(double difference, double size) noexcept {
   constexpr double share = 1e-12;  // velocities are sums over the bodies that carry a section
-  return std::abs(difference) > share * size ? difference : 0.0;
+  return std::abs(difference) <= share * size ? 0.0 : difference;  // what is no number stays
 }
 
 /// Returns the axes of a section. sine, cosine: of the chord's twist; side: 1, or -1 if leading

@@ -44,8 +44,8 @@ const char* const kRunText = R"(Output files, in the folder of --out:
 mpirun -n P spoke run ... shares the model out over P processes, with the same files
 (docs/machines.md).
 
-The first Ctrl-C (SIGINT), SIGTERM or SIGHUP completes the step, writes rows, summary and checkpoint, and
-ends; a second one ends at once.
+The first Ctrl-C (SIGINT), SIGTERM or SIGHUP completes the step, writes rows, summary and
+checkpoint, and ends; a second one ends at once.
 
 Examples:
   spoke run models/wu_haug_rotor.toml --set blade.bodies=8 --set integration.step=0.01
