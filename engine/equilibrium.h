@@ -134,8 +134,9 @@ struct EquilibriumResult {
   Eigen::Vector3d hub_force{0.0, 0.0, 0.0};
   Eigen::Vector3d hub_moment{0.0, 0.0, 0.0};   ///< moment about its origin, hub frame [N m]
   std::optional<RotorAir> air = std::nullopt;  ///< none: no air acts
-  /// None: not known, as of solve_modes(), whose modes tell, or where matrices are periodic.
+  /// None: not known, where matrices are periodic or loops are in a singular position.
   std::optional<Stability> stability = std::nullopt;
+  std::string stability_unknown{};  ///< why it is not known; empty: it is
   int iterations = 0;        ///< of Newton's method, for all blades
   int load_steps = 1;        ///< number of steps in which loads were applied
   double last_change = 0.0;  ///< change of a coordinate in the last iteration [rad, or by length]

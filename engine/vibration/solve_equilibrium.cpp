@@ -32,18 +32,18 @@ Stability judge(const ModesResult& found) {
   return stability;
 }
 
-/// Returns none where small motions have no constant matrices, or nothing moves.
-std::optional<Stability> find_stability(const Scenario& scenario, double speed,
-                                        const steady::Equilibrium& equilibrium,
-                                        steady::SteadyModel& model) {
+/// Tells whether small motions decay, or why that is not known: they have no constant matrices, or
+/// loops are in a singular position.
+void add_stability(const Scenario& scenario, double speed, const steady::Equilibrium& equilibrium,
+                   steady::SteadyModel& model, EquilibriumResult& result) {
   const ModeFrame frame =
       speed == 0.0 ? ModeFrame::turning : vibration::choose_frame(scenario, std::nullopt);
   try {
     steady::LinearModel linear = steady::linearize_machine(equilibrium, model);
     if (linear.support && frame == ModeFrame::turning) steady::stand_on(*linear.support, linear);
-    return judge(vibration::make_modes(linear, equilibrium, frame, {}, model));
-  } catch (const InputError&) {
-    return std::nullopt;
+    result.stability = judge(vibration::make_modes(linear, equilibrium, frame, {}, model));
+  } catch (const InputError& error) {
+    result.stability_unknown = error.what();
   }
 }
 
@@ -58,7 +58,7 @@ EquilibriumResult solve_equilibrium(const Scenario& scenario, const SteadyState&
   const steady::Equilibrium found = steady::find_machine_equilibrium(*model);
   steady::require_held(found);
   EquilibriumResult result = steady::describe(found, *model);
-  result.stability = find_stability(scenario, speed, found, *model);
+  add_stability(scenario, speed, found, *model, result);
   steady::add_warnings(scenario, result);
   return result;
 }

@@ -196,7 +196,7 @@ std::string_view word_of(SmallMotions motions) {
 
 /// Returns what small motions do, and which of them decays least.
 std::string stability_text(const EquilibriumResult& result) {
-  if (!result.stability) return "not known: spoke modes tells, or says why not";
+  if (!result.stability) return "not known: " + result.stability_unknown;
   const Stability& stability = *result.stability;
   const std::string mode = stability.mode + " of " + stability.of;
   switch (stability.motions) {
@@ -213,7 +213,8 @@ std::string stability_text(const EquilibriumResult& result) {
 }
 
 Json stability_json(const EquilibriumResult& result) {
-  if (!result.stability) return {};
+  if (!result.stability)
+    return {{"small_motions", "unknown"}, {"reason", result.stability_unknown}};
   const Stability& stability = *result.stability;
   return {{"small_motions", std::string(word_of(stability.motions))},
           {"rate_per_s", plain_zero(stability.rate)},

@@ -297,6 +297,40 @@ TEST_CASE("linearize sees a rotor that turns on a support from outside") {
                 "the frame \"fixed\" expects three or more equal blades, got 2");
 }
 
+TEST_CASE("static says why it does not know what small motions do") {
+  // The arms of a governor come to lie along its axis, where its loops leave one another free.
+  const WorkFolder folder;
+  folder.write("g.toml", R"(world = "space"
+[hub.drive]
+kind = "fixed"
+[gravity]
+acceleration = [0, 0, -9.81]
+[[subsystem]]
+name = "g"
+body = [
+ { name = "collar", kind = "rigid", mass = 2, inertia = 0.01 },
+ { name = "arm1", kind = "rigid", mass = 3, center = [0.5, 0, 0], inertia = 1e-3 },
+ { name = "arm2", kind = "rigid", mass = 3, center = [0.5, 0, 0], inertia = 1e-3 } ]
+joint = [
+ { name = "s", parent = "hub", child = "collar", kind = "prismatic", axis = [0, 0, 1], offset = [0, 0, 0.5669873] },
+ { name = "a1", parent = "hub", child = "arm1", kind = "revolute", axis = [0, 1, 0], offset = [0, 0, 1], initial = 1.0471975512 },
+ { name = "a2", parent = "hub", child = "arm2", kind = "revolute", axis = [0, 1, 0], offset = [0, 0, 1], orientation = [0, 0, 3.14159265358979], initial = 1.0471975512 } ]
+loop = [
+ { name = "r1", kind = "distance", from = { body = "arm1", point = [0.25, 0, 0] }, to = { body = "collar" }, length = 0.25 },
+ { name = "r2", kind = "distance", from = { body = "arm2", point = [0.25, 0, 0] }, to = { body = "collar" }, length = 0.25 } ]
+[integration]
+step = 2e-3
+duration = 1
+)");
+  const Ended ended = run_spoke({"static", "g.toml", "--out", "o"}, folder);
+  CHECK(ended.status == 0);
+  CHECK(ended.out.find("  small motions   not known: g: its loops are in a singular position") !=
+        std::string::npos);
+  const json all = json::parse(file_text(folder.path() / "o" / "static.json"));
+  CHECK(all["stability"]["small_motions"] == "unknown");
+  CHECK(all["stability"]["reason"].get<std::string>().find("singular") != std::string::npos);
+}
+
 TEST_CASE("static, modes, campbell and linearize refuse bad input in one line") {
   const std::string scenario = shipped("wu_haug_rotor");
   check_refused({"static", scenario, "--speed", "fast"}, "spoke static: ");
