@@ -137,8 +137,8 @@ struct EquilibriumResult {
   /// None: not known, where matrices are periodic or loops are in a singular position.
   std::optional<Stability> stability = std::nullopt;
   std::string stability_unknown{};  ///< why it is not known; empty: it is
-  int iterations = 0;        ///< of Newton's method, for all blades
-  int load_steps = 1;        ///< number of steps in which loads were applied
+  int iterations = 0;               ///< of Newton's method, for all blades
+  int load_steps = 1;               ///< number of steps in which loads were applied
   double last_change = 0.0;  ///< change of a coordinate in the last iteration [rad, or by length]
   /// Reasons to doubt it: a body that bends beyond `limits.deflection`.
   std::vector<Warning> warnings{};
