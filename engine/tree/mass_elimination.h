@@ -13,6 +13,8 @@
 // (joint_coordinates.h). A Branch holds M in the place of Lambda and p in that of free.
 
 #include "engine/tree/joint_coordinates.h"
+#include "models/space/symmetric_twist_matrix.h"
+#include "models/space/vectors.h"
 
 namespace spoke::tree {
 
