@@ -12,7 +12,7 @@
 // eliminated from the tips to the root (engine/tree) (the block-tridiagonal Phi M^-1 Phi^T of (P
 // 8)); what remains at the root is (P 10). Trees of one subsystem meet at the hub alone: each has a
 // root of its own, and (P 10) is their sum. Trees of rigid bodies alone are eliminated by masses.
-// Sources: structured/condense_body, effective_inertia, recovery and mass_loops.
+// Sources: structured/condense_body, effective_inertia and recovery; space/mass_elimination.
 
 #include "engine/table/step_data.h"
 #include "engine/tree/joint_recovery.h"
