@@ -97,6 +97,10 @@ void suspend(const Suspension& suspension, Model& model) {
   model.support->axle.body = "carrier";
 }
 
+std::string_view name_of(BeamStrain strain) {
+  return strain == BeamStrain::nonlinear ? "nonlinear" : "linear";
+}
+
 std::string_view name_of(SupportBase base) {
   return base == SupportBase::ground ? "ground" : "free";
 }

@@ -96,6 +96,16 @@ struct PointMass {
   friend bool operator==(const PointMass&, const PointMass&) = default;
 };
 
+/// How the strains of a beam follow from the displacements of its nodes.
+enum class BeamStrain {
+  /// Linear; what rotation, gravity and loads add by tension is that of the undeformed tree
+  /// (Beam::geometric_stiffening).
+  linear,
+  /// To second order, whatever loads the beam: tension, bending moments and torque act on its
+  /// deformed shape.
+  nonlinear,
+};
+
 /// A slender beam, straight or not, cut into flexible bodies.
 struct Beam {
   double length = 0.0;  ///< length along its x axis [m]
@@ -107,7 +117,8 @@ struct Beam {
   Sections sections{};  ///< properties along the beam
   /// Reference frame of each of its bodies.
   ReferenceFrame reference_frame = ReferenceFrame::clamped;
-  bool geometric_stiffening = true;       ///< whether rotation stiffens bending within a body
+  bool geometric_stiffening = true;  ///< whether rotation stiffens bending within a body
+  BeamStrain strain = BeamStrain::linear;
   std::vector<PointMass> point_masses{};  ///< point masses besides its own mass
 
   friend bool operator==(const Beam&, const Beam&) = default;
@@ -428,6 +439,7 @@ SPOKE_EXPORT void suspend(const Suspension& suspension, Model& model);
 
 /// Returns the name that scenario files use: "fixed", "revolute", ...
 SPOKE_EXPORT std::string_view name_of(JointKind kind);
+SPOKE_EXPORT std::string_view name_of(BeamStrain strain);
 /// Returns "ground" or "free".
 SPOKE_EXPORT std::string_view name_of(SupportBase base);
 /// Returns "inertial", "hub", "body" or "section".

@@ -60,6 +60,9 @@ Memory memory_of_scratch(BodyData<Space>& body);
 
 /// Lists the memory of the tension of rotation on the left-hand side of implicit steps; empty
 /// without.
+/// Memory of the wrenches of elements at the state at which a step begins (space).
+inline Memory memory_of_wrenches_at_start(BodyData<Plane>&) { return {}; }
+Memory memory_of_wrenches_at_start(BodyData<Space>& body);
 inline Memory memory_of_tension(BodyData<Plane>&) { return {}; }
 Memory memory_of_tension(BodyData<Space>& body);
 

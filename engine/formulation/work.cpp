@@ -31,6 +31,9 @@ Eigen::MatrixXd make_dense_block(const plane::FlexibleBody& body, const ElasticS
                                   shares.damping_factor);
 }
 Eigen::MatrixXd make_dense_block(const space::Body& body, const ElasticShares& shares) {
+  // The stiffness of strains of second order changes, and is added in every step.
+  const space::FlexibleBody* flexible = body.flexible();
+  if (flexible && flexible->is_nonlinear()) return make_dense_elastic_block(body, {});
   return make_dense_elastic_block(body, factors_of(shares));
 }
 
@@ -101,7 +104,14 @@ void add_tension(const ElasticShares& implicit, BodyData<Space>& member,
     return;
   }
   const space::FlexibleBody* flexible = member.model->body->flexible();
-  if (implicit.tension_factor == 0.0 || !flexible || !member.model->stiffening) return;
+  if (implicit.tension_factor == 0.0 || !flexible) return;
+  if (flexible->is_nonlinear()) {
+    work.strains.push_back(std::make_unique<space::ImplicitStrain>(space::make_implicit_strain(
+        *flexible, factors_of(implicit), implicit.tension_factor, *member.blocks[0]->elastic)));
+    member.strain = work.strains.back().get();
+    return;
+  }
+  if (!member.model->stiffening) return;
   work.tensions.push_back(std::make_unique<space::ImplicitTension>(
       space::make_implicit_tension(*flexible, *member.model->stiffening, factors_of(implicit),
                                    implicit.tension_factor, *member.blocks[1]->elastic)));
@@ -195,7 +205,8 @@ double estimate_table(const TreeBody<Space>& member) {
   // The state from which a failure can be repeated is a copy of these numbers.
   // A body under tension has the factors of its own implicit block (see estimate_constants).
   const space::FlexibleBody* flexible = member.body->flexible();
-  const double tension = flexible && member.stiffening ? estimate_tension(*flexible) : 0.0;
+  const bool has_own_block = flexible && (member.stiffening || flexible->is_nonlinear());
+  const double tension = has_own_block ? estimate_tension(*flexible) : 0.0;
   // Rows, half solutions and motions of a solid in nodal coordinates (engine/space/nodal_memory.h).
   const space::Solid* solid = member.body->solid();
   const double nodal =

@@ -7,6 +7,7 @@
 #include "engine/body/body_types.h"
 #include "engine/space/body_data.h"
 #include "engine/space/hub_motion.h"
+#include "engine/space/implicit_strain.h"
 #include "engine/space/implicit_tension.h"
 #include "engine/space/joint_terms.h"
 #include "engine/space/reduced_products.h"
@@ -75,7 +76,8 @@ struct SlideState {
 /// Fields of a spatial body in the table.
 struct BodyFields {
   BodyWork work;
-  ImplicitTension* tension = nullptr;                  ///< tension in implicit steps; null: none
+  ImplicitTension* tension = nullptr;  ///< tension in implicit steps; null: none
+  ImplicitStrain* strain = nullptr;    ///< strains of second order in implicit steps; null: none
   const SolidTensionColumns* solid_tension = nullptr;  ///< stiffening of a solid; null: none
   const NodalTiles* tiles = nullptr;  ///< of a solid in nodal coordinates; else null
   /// Angular acceleration of the frame, in it, about which tension is taken; set only in subsystems

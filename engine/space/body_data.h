@@ -21,6 +21,7 @@ struct BodyModel {
   const FlexibleBody* body = nullptr;
   std::array<const ElasticBlock*, 2> blocks{};  ///< explicit, implicit
   const TensionPlace* tension = nullptr;        ///< null: without geometric stiffening
+  const ImplicitShift* shift = nullptr;         ///< of the implicit block; null: none
 };
 
 /// Flex vectors of a body.

@@ -8,6 +8,7 @@
 #include "engine/space/body_slots.h"
 #include "engine/space/body_stiffening.h"
 #include "engine/space/element_products.h"
+#include "engine/space/nonlinear_strain.h"
 
 namespace spoke::space {
 namespace {
@@ -21,7 +22,8 @@ double deformation_energy(const FlexibleBody& body, const BodyWork& work) {
   return 0.5 * sum;
 }
 
-double strain_energy(const FlexibleBody& body, const double* q) {
+double strain_energy(const FlexibleBody& body, const double* q, const BodyWork& work) {
+  if (body.is_nonlinear()) return calc_nonlinear_energy(body, q, work);
   double sum = 0.0;
   for (const BeamElement& element : body.beam) {
     double d[kTwist], F[kTwist];
@@ -52,7 +54,9 @@ BodyEnergies calc_body_energies(const BodyModel& model, const BodyState& state, 
   energies.kinetic = 0.5 * body.mass * v0.squaredNorm() + v0.dot(cross(w, sums.S) + sums.S_rate) +
                      0.5 * w.dot(sums.inertia().lazyProduct(w)) + w.dot(spin) +
                      deformation_energy(body, work);
-  energies.strain = strain_energy(body, q);
+  energies.strain = strain_energy(body, q, work);
+  if (body.is_nonlinear())
+    energies.kinetic -= 0.5 * w.dot(calc_turned_inertia(body, q).lazyProduct(w));
   if (!model.tension) return energies;
   std::fill_n(work.force, kTwist * body.node_count(), 0.0);
   const StiffeningSums stiffening = add_stiffening(model, motion, q, v, work.force);
@@ -65,7 +69,7 @@ BodyEnergies calc_body_energies(const BodyModel& model, const BodyState& state, 
 double calc_strain_energy(const FlexibleBody& body, const double* q,
                           const BodyWork& work) noexcept {
   expand(body, q, work.nodal[0]);
-  return strain_energy(body, work.nodal[0]);
+  return strain_energy(body, work.nodal[0], work);
 }
 
 double calc_foreshortening(const BodyModel& model, const double* q, const BodyWork& work) noexcept {

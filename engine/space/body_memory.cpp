@@ -109,23 +109,56 @@ Memory memory_of_scratch(BodyData<Space>& body) {
   return memory;
 }
 
-Memory memory_of_tension(BodyData<Space>& body) {
-  if (!body.tension) return {};
-  space::ImplicitTension& tension = *body.tension;
-  space::ElasticBlock& block = tension.block;
-  Memory memory{bytes_of(tension.w), bytes_of(tension.turn), bytes_of(block.C_W)};
+namespace {
+
+void append(std::vector<space::NodeMomentum>& values, Memory& memory) {
+  memory.push_back(bytes_of(values[0], values.size()));
+}
+
+/// Lists what is factorised anew.
+void append(space::ElasticBlock& block, Memory& memory) {
+  memory.push_back(bytes_of(block.C_W));
   const auto add = [&memory](auto& values) {
     if (!values.empty()) memory.push_back(bytes_of(values[0], values.size()));
   };
-  add(tension.elements);
-  add(tension.stiffness.diagonal);
-  add(tension.stiffness.below);
-  add(tension.lean);
   for (std::vector<double>* values : {&block.inverse, &block.below, &block.W_t}) add(*values);
   for (std::vector<double>& Z : block.Z) add(Z);
   add(block.Z_W);
   add(block.Z_diagonal);
   add(block.Z_pairs);
+}
+
+void append(space::BlockTridiagonal& matrix, Memory& memory) {
+  memory.push_back(bytes_of(matrix.diagonal[0], matrix.diagonal.size()));
+  memory.push_back(bytes_of(matrix.below[0], matrix.below.size()));
+}
+
+Memory memory_of_strain(space::ImplicitStrain& strain) {
+  Memory memory{bytes_of(strain.turn), bytes_of(strain.shift.nodes[0], strain.shift.nodes.size())};
+  append(strain.added, memory);
+  append(strain.lean, memory);
+  append(strain.block, memory);
+  return memory;
+}
+
+}  // namespace
+
+Memory memory_of_wrenches_at_start(BodyData<Space>& body) {
+  if (!body.strain) return {};
+  space::ImplicitStrain& strain = *body.strain;
+  return {bytes_of(strain.wrenches[0], strain.wrenches.size()),
+          bytes_of(strain.nodal[0], strain.nodal.size())};
+}
+
+Memory memory_of_tension(BodyData<Space>& body) {
+  if (body.strain) return memory_of_strain(*body.strain);
+  if (!body.tension) return {};
+  space::ImplicitTension& tension = *body.tension;
+  Memory memory{bytes_of(tension.w), bytes_of(tension.turn),
+                bytes_of(tension.elements[0], tension.elements.size())};
+  append(tension.stiffness, memory);
+  append(tension.lean, memory);
+  append(tension.block, memory);
   return memory;
 }
 

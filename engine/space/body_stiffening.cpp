@@ -77,15 +77,6 @@ void add_propellers(const BeamElement& element, bool is_symmetric, const Positio
   add_tensor<kIsStraight>(element, {p22.rate, p23.rate, p33.rate}, sums.rate.propeller);
 }
 
-/// Returns Lambda of a second moment P that turns by a, or its bilinear form in a and b:
-Matrix3 turning_inertia(const Matrix3& P, const Position& a, const Position& b) {
-  const Position P_a = P.lazyProduct(a), P_b = P.lazyProduct(b);
-  const Matrix3 half = a * P_b.transpose() + b * P_a.transpose();
-  Matrix3 inertia = 0.25 * (half + half.transpose()) - a.dot(b) * P;
-  inertia.diagonal().array() += a.dot(b) * P.trace() - a.dot(P_b);
-  return inertia;
-}
-
 /// Adds small masses, to second order in the rotation th of their section: T gets
 /// - 1/2 th^T [tr(P W0) 1 - 1/2 (W0 P + P W0)] th.
 [[gnu::always_inline]] inline void add_inertias(const BeamElement& element, const Position& w,
@@ -154,6 +145,14 @@ StiffeningSums add_all(const BodyModel& model, const BodyMotion& motion, const d
 }
 
 }  // namespace
+
+Matrix3 turning_inertia(const Matrix3& P, const Position& a, const Position& b) noexcept {
+  const Position P_a = P.lazyProduct(a), P_b = P.lazyProduct(b);
+  const Matrix3 half = a * P_b.transpose() + b * P_a.transpose();
+  Matrix3 inertia = 0.25 * (half + half.transpose()) - a.dot(b) * P;
+  inertia.diagonal().array() += a.dot(b) * P.trace() - a.dot(P_b);
+  return inertia;
+}
 
 StiffeningSums add_stiffening(const BodyModel& model, const BodyMotion& motion, const double* q,
                               const double* v, double* force) noexcept {

@@ -8,6 +8,7 @@
 #include "engine/space/body_slots.h"
 #include "engine/space/body_stiffening.h"
 #include "engine/space/element_products.h"
+#include "engine/space/nonlinear_strain.h"
 #include "engine/space/straight_terms.h"
 #include "engine/support/wide_kernels.h"
 
@@ -204,8 +205,15 @@ BodyTerms calc_coupled_terms(const BodyModel& model, const BodyState& state,
   std::fill_n(work.force, kTwist * body.node_count(), 0.0);
 
   BodyTerms terms;
-  add_elastic_force(body, x.q_elastic, work.force);
-  if (is_damped) terms.dissipation += add_damping(body, damping, x.v_elastic, x.v, work.force);
+  TurnedInertia turned;
+  if (body.is_nonlinear()) {
+    terms.dissipation += subtract_strain_forces(
+        body, damping.stiffness_factor, {x.q_elastic, x.v_elastic}, {x.q, x.v}, work, work.force);
+    turned = subtract_turning(body, motion.w, {x.q, x.v}, work.force);
+  } else {
+    add_elastic_force(body, x.q_elastic, work.force);
+    if (is_damped) terms.dissipation += add_damping(body, damping, x.v_elastic, x.v, work.force);
+  }
   if (damping.mass_factor != 0.0)
     terms.dissipation += add_mass_damping(body, damping.mass_factor, x.v_elastic, x.v, work.force);
   if (model.tension) {
@@ -219,8 +227,10 @@ BodyTerms calc_coupled_terms(const BodyModel& model, const BodyState& state,
   terms.S = sums.S;
   terms.S_rate = sums.S_rate;
   terms.Theta = sums.inertia();
+  if (body.is_nonlinear()) terms.Theta -= turned.value;
   terms.Q =
       calc_frame_force(motion.w, terms.S, terms.Theta.lazyProduct(motion.w), sums.S_rate, sums.G);
+  if (body.is_nonlinear()) angular(terms.Q) += turned.rate.lazyProduct(motion.w);
   return terms;
 }
 

@@ -42,6 +42,20 @@ void clear_fixed_rows(const FlexibleBody& body, double* rows) {
   std::fill_n(rows + kNodeRows * body.elements + 4, 2 * 4, 0.0);
 }
 
+/// Returns the right-hand sides: the rows, or those in shifted coordinates, where the half
+/// solutions will be.
+double* take_rows(const FlexibleBody& body, const ImplicitShift* shift, const BodyWork& work) {
+  double* rows = work.rows;
+  if (shift) {
+    const int first = kNodeRows * body.first_node(), end = kNodeRows * body.node_count();
+    std::copy(work.rows + first, work.rows + end, work.half + first);
+    rows = work.half;
+    shift->apply_transposed<4>(rows);
+  }
+  clear_fixed_rows(body, rows);
+  return rows;
+}
+
 /// Whether places (i, j) of a node's blocks may hold more than a zero.
 template <bool kIsDecoupled>
 constexpr bool meet(int i, int j) {
@@ -88,11 +102,12 @@ void solve_node(const double* below, const double* inverse, const double* b, con
 
 /// (1) Calculates the half solutions of C_w^T and Q_f, and their products with those of C.
 template <bool kIsDecoupled>
-Products solve_half(const FlexibleBody& body, const ElasticBlock& block, const BodyWork& work) {
+Products solve_half(const FlexibleBody& body, const ElasticBlock& block, const double* rows,
+                    const BodyWork& work) {
   Products products;
   const int first = body.first_node();
   for (int k = first; k < body.node_count(); ++k)
-    solve_node<kIsDecoupled>(block.below_of(k), block.inverse_of(k), work.rows + kNodeRows * k,
+    solve_node<kIsDecoupled>(block.below_of(k), block.inverse_of(k), rows + kNodeRows * k,
                              k > first ? work.half + kNodeRows * (k - 1) : nullptr,
                              &block.W_t[static_cast<std::size_t>(3 * kTwist * k)],
                              work.half + kNodeRows * k, products);
@@ -191,9 +206,9 @@ void condense(const BodyModel& model, const BodyTerms& terms, const Angular& w, 
   assert(model.blocks[implicit]->Z.size() == model.body->handles.size());
   const FlexibleBody& body = *model.body;
   const ElasticBlock& block = *model.blocks[implicit];
-  clear_fixed_rows(body, work.rows);
-  const Products products = body.is_decoupled ? solve_half<true>(body, block, work)
-                                              : solve_half<false>(body, block, work);
+  double* const rows = take_rows(body, implicit ? model.shift : nullptr, work);
+  const Products products = body.is_decoupled ? solve_half<true>(body, block, rows, work)
+                                              : solve_half<false>(body, block, rows, work);
   // (2) S_R = M_RR - C W and p = Q - C z follow, with M_RR = [m 1, -S~; S~, Theta].
   work.condensed.S_inverse = invert(
       SymmetricTwistMatrix::from_blocks(body.mass * Matrix3::Identity() - block.C_W,
@@ -337,6 +352,7 @@ Twist recover(const BodyModel& model, const Twist* wrenches, bool implicit, cons
     recover_deformation<true>(body, block, X, wrenches, work, x);
   else
     recover_deformation<false>(body, block, X, wrenches, work, x);
+  if (implicit && model.shift) model.shift->apply(x);
   compress(body, x, a);
   return X;
 }

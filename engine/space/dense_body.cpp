@@ -44,6 +44,24 @@ Eigen::MatrixXd make_dense_elastic_block(const FlexibleBody& body, const BlockFa
   return dense;
 }
 
+void shift_dense(const FlexibleBody& body, const ImplicitShift& shift,
+                 Eigen::Ref<Eigen::MatrixXd> dense) {
+  assert(dense.rows() == body.coordinates() && dense.cols() == body.coordinates());
+  const auto shift_one = [&](auto&& values) {  // values S, a row, or S^T values, a column
+    for (int k = 1; k < body.elements; ++k) {
+      const ImplicitShift::Node& node = shift.nodes[static_cast<std::size_t>(k)];
+      double along = 0.0;
+      for (int c = 0; c < kPosition; ++c)
+        if (const int at = body.coordinate(k, c); at >= 0) along += node.axis[c] * values[at];
+      for (int i = 0; i < 3 * kTwist; ++i)
+        if (const int at = body.coordinate(k - 1 + i / kTwist, i % kTwist); at >= 0)
+          values[at] -= node.gradient[static_cast<std::size_t>(i)] * along;
+    }
+  };
+  for (int i = 0; i < body.coordinates(); ++i) shift_one(dense.col(i));
+  for (int i = 0; i < body.coordinates(); ++i) shift_one(dense.row(i));
+}
+
 void add_dense(const FlexibleBody& body, const BlockTridiagonal& matrix,
                Eigen::Ref<Eigen::MatrixXd> dense) {
   assert(matrix.nodes() == body.node_count());
@@ -175,9 +193,12 @@ void calc_dense_mass(const BodyData<Space>& data, const Eigen::MatrixXd& elastic
     return;
   }
   space::calc_dense_mass(*flexible, data.terms, data.work, elastic, mass);
+  auto deformation = mass.bottomRightCorner(elastic.rows(), elastic.cols());
   if (implicit && has_implicit_tension(data))
-    space::add_dense(*flexible, data.tension->stiffness,
-                     mass.bottomRightCorner(elastic.rows(), elastic.cols()));
+    space::add_dense(*flexible, data.tension->stiffness, deformation);
+  if (!implicit || !data.strain) return;
+  space::add_dense(*flexible, data.strain->added, deformation);
+  space::shift_dense(*flexible, data.strain->shift, deformation);
 }
 
 void calc_dense_force(const BodyData<Space>& data, Eigen::Ref<Eigen::VectorXd> force) {

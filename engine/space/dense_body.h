@@ -14,6 +14,10 @@ Eigen::MatrixXd make_dense_elastic_block(const FlexibleBody& body, const BlockFa
 
 Eigen::MatrixXd make_dense_elastic_block(const Solid& body, const BlockFactors& factors);
 
+/// Takes a symmetric matrix of shifted coordinates to one of the body's own: S^-T dense S^-1.
+void shift_dense(const FlexibleBody& body, const ImplicitShift& shift,
+                 Eigen::Ref<Eigen::MatrixXd> dense);
+
 /// Adds a matrix over the nodes to a dense one of the deformation (nf x nf).
 void add_dense(const FlexibleBody& body, const BlockTridiagonal& matrix,
                Eigen::Ref<Eigen::MatrixXd> dense);

@@ -116,10 +116,11 @@ const double* Z_from(const FlexibleBody& body, const ElasticBlock& block, std::s
   return block.Z[h].data() + ElasticBlock::kBlock * (from - body.handles[h]);
 }
 
-void set_momentum(const FlexibleBody& body, ElasticBlock& block) {
+void set_momentum(const FlexibleBody& body, const ImplicitShift* shift, ElasticBlock& block) {
   for (int k = 0; k < body.node_count(); ++k)
     NodeMap<3>(W_t_from(block, k)) = body.C_t[static_cast<std::size_t>(k)];
   double* const W_t = W_t_from(block, 0);
+  if (shift) shift->apply_transposed<3>(W_t);
   solve_half<3>(body, block, 0, W_t);
   block.C_W = multiply_columns<3, 3>(body, 0, W_t, W_t);
 }
@@ -147,12 +148,12 @@ void set_pair(const FlexibleBody& body, std::size_t a, std::size_t b, ElasticBlo
 }
 
 void set_block(const FlexibleBody& body, const BlockFactors& factors, const BlockTridiagonal* added,
-               ElasticBlock& block) {
+               const ImplicitShift* shift, ElasticBlock& block) {
   assert(std::cmp_equal(body.M.nodes(), body.node_count()) && body.K.nodes() == body.M.nodes());
   assert(!added || added->nodes() == body.node_count());
   assert(block.Z.size() == body.handles.size() && block.below.size() == block.inverse.size());
   factorise(body, factors, added, block);
-  set_momentum(body, block);
+  set_momentum(body, shift, block);
   for (std::size_t b = 0; b < body.handles.size(); ++b) {
     set_handle(body, b, block);
     for (std::size_t a = 0; a < b; ++a) set_pair(body, a, b, block);
@@ -163,13 +164,14 @@ void set_block(const FlexibleBody& body, const BlockFactors& factors, const Bloc
 
 ElasticBlock make_elastic_block(const FlexibleBody& body, const BlockFactors& factors) {
   ElasticBlock block = make_empty_block(body);
-  set_block(body, factors, nullptr, block);
+  set_block(body, factors, nullptr, nullptr, block);
   return block;
 }
 
 void factorise_anew(const FlexibleBody& body, const BlockFactors& factors,
-                    const BlockTridiagonal& added, ElasticBlock& block) noexcept {
-  set_block(body, factors, &added, block);
+                    const BlockTridiagonal& added, const ImplicitShift* shift,
+                    ElasticBlock& block) noexcept {
+  set_block(body, factors, &added, shift, block);
 }
 
 }  // namespace spoke::space

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "engine/space/implicit_shift.h"
 #include "engine/tree/multi_port.h"
 #include "models/space/flexible_body.h"
 #include "models/space/space.h"
@@ -48,8 +49,10 @@ struct ElasticBlock {
 
 ElasticBlock make_elastic_block(const FlexibleBody& body, const BlockFactors& factors);
 /// Makes such a block anew of Mhat + `added`, in its memory. Preconditions: the block is one of the
-/// body's, `added` is symmetric over the body's nodes, and the sum positive definite.
+/// body's, `added` is symmetric over the body's nodes, and the sum positive definite. `shift`: that
+/// of the block, whose matrix this is in shifted coordinates; null: none.
 void factorise_anew(const FlexibleBody& body, const BlockFactors& factors,
-                    const BlockTridiagonal& added, ElasticBlock& block) noexcept;
+                    const BlockTridiagonal& added, const ImplicitShift* shift,
+                    ElasticBlock& block) noexcept;
 
 }  // namespace spoke::space

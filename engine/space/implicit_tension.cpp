@@ -55,15 +55,7 @@ void add_columns(const BeamElement& element, int e, bool is_straight, ImplicitTe
     for (int r = 0; r < kBoth; ++r) matrix(r, c) = -force[r];
   }
   tension.stiffness.add(e, matrix);
-  for (int c = 0; c < 3; ++c) {
-    const double still[kBoth]{};
-    double force[kBoth]{};
-    tension.turn.col(c) -=
-        subtract_tension(element, K, is_straight, still, Angular::Unit(c), force);
-    for (int node = 0; node < 2; ++node)
-      for (int r = 0; r < kTwist; ++r)
-        tension.lean[static_cast<std::size_t>(e + node)](r, c) -= force[kTwist * node + r];
-  }
+  add_lean(element, e, K.bending, is_straight, tension.lean, tension.turn);
 }
 
 void clear(ImplicitTension& tension) {
@@ -146,7 +138,20 @@ void follow_speed(const FlexibleBody& body, const TensionPlace& place, const Ang
   if (speed == tension.w) return;
   tension.w = speed;
   set_matrices(body, place, tension);
-  factorise_anew(body, tension.factors, tension.stiffness, tension.block);
+  factorise_anew(body, tension.factors, tension.stiffness, nullptr, tension.block);
+}
+
+void add_lean(const BeamElement& element, int e, const Matrix4& bending, bool is_straight,
+              std::vector<NodeMomentum>& lean, Matrix3& turn) noexcept {
+  for (int c = 0; c < 3; ++c) {
+    const double still[2 * kTwist]{};
+    double force[2 * kTwist]{};
+    turn.col(c) -=
+        subtract_tension(element, {bending, 0.0}, is_straight, still, Angular::Unit(c), force);
+    for (int node = 0; node < 2; ++node)
+      for (int r = 0; r < kTwist; ++r)
+        lean[static_cast<std::size_t>(e + node)](r, c) -= force[kTwist * node + r];
+  }
 }
 
 void add_implicit_tension(const FlexibleBody& body, const ImplicitTension& tension, const double* a,

@@ -48,6 +48,11 @@ ImplicitTension make_implicit_tension(const FlexibleBody& body, const TensionPla
                                       const BlockFactors& factors, double gain,
                                       const ElasticBlock& block);
 
+/// Adds how the tension of element e acts on the rotation of the frame: coupling with the nodes,
+/// and stiffness; `bending`: its tension matrix.
+void add_lean(const BeamElement& element, int e, const Matrix4& bending, bool is_straight,
+              std::vector<NodeMomentum>& lean, Matrix3& turn) noexcept;
+
 /// Makes it that of a speed near that of the hub, w in H, unless it is.
 void follow_speed(const FlexibleBody& body, const TensionPlace& place, const Angular& w,
                   ImplicitTension& tension) noexcept;

@@ -103,6 +103,7 @@ bool has_tension(const PassControl& control, const SubsystemData<Space>& subsyst
   const Angular w = angular(subsystem.hub->twist);
   return std::any_of(
       subsystem.bodies.begin(), subsystem.bodies.end(), [&](const BodyData<Space>& body) {
+        if (body.strain) return true;
         if (!body.tension) return false;
         return control.begins_iteration() ? body.tension->counts_at(w) : body.tension->is_on();
       });

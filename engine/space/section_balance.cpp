@@ -9,6 +9,7 @@
 
 #include "engine/kernels/kinematics.h"
 #include "engine/space/body_stiffening.h"
+#include "engine/space/nonlinear_strain.h"
 #include "engine/space/solid_table_terms.h"
 #include "engine/space/table_terms.h"
 
@@ -150,6 +151,10 @@ space::Twist calc_momentum(const BodyData<Space>& body, const space::Twist& twis
     const Slots places = find_slots(flexible, e, body.coordinates.q, true);
     const Slots rates = move(places, find_slots(flexible, e, body.coordinates.v, false), twist);
     sum += sum_moments(flexible.beam[e].mass, places, rates);
+  }
+  if (flexible.is_nonlinear()) {
+    space::expand(flexible, body.coordinates.q, body.work.nodal[0]);
+    angular(sum) -= calc_turned_inertia(flexible, body.work.nodal[0]) * angular(twist);
   }
   return sum;
 }

@@ -11,13 +11,20 @@ namespace spoke {
 
 space::BodyModel body_model_of(const BodyData<Space>& body) {
   assert(body.model->body->flexible() && body.blocks[0] && body.blocks[0]->elastic);
-  assert(body.tension || (body.blocks[1] && body.blocks[1]->elastic));
+  assert(body.tension || body.strain || (body.blocks[1] && body.blocks[1]->elastic));
   const space::FlexibleBody* flexible = body.model->body->flexible();
   const auto& tension = body.model->stiffening;
-  return {
-      flexible,
-      {&*body.blocks[0]->elastic, body.tension ? &body.tension->block : &*body.blocks[1]->elastic},
-      tension ? &*tension : nullptr};
+  const space::ElasticBlock* implicit = nullptr;
+  if (body.tension)
+    implicit = &body.tension->block;
+  else if (body.strain)
+    implicit = &body.strain->block;
+  else
+    implicit = &*body.blocks[1]->elastic;
+  return {flexible,
+          {&*body.blocks[0]->elastic, implicit},
+          tension ? &*tension : nullptr,
+          body.strain ? &body.strain->shift : nullptr};
 }
 
 space::BodyState body_state_of(const BodyData<Space>& body) {

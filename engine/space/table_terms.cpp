@@ -173,7 +173,9 @@ void add_gravity_power(const space::Position& gravity_H, const space::Position& 
 
 }  // namespace
 
-void follow_hub_speed(const HubState<Space>& hub, BodyData<Space>& body) noexcept {
+void follow_state(const HubState<Space>& hub, BodyData<Space>& body) noexcept {
+  if (body.strain)
+    follow_strain(*body.model->body->flexible(), body.coordinates.q, body.work, *body.strain);
   if (body.tension)
     follow_speed(*body.model->body->flexible(), *body.model->stiffening, angular(hub.twist),
                  *body.tension);
@@ -313,6 +315,9 @@ void calc_terms(const System<Space>& system, const Subsystem<Space>& subsystem, 
     if (shares.stiffness != 0.0 && has_implicit_tension(body))
       add_implicit_tension(*body.model->body->flexible(), *body.tension, body.coordinates.a,
                            body.alpha, body.work, body.terms);
+    if (shares.stiffness != 0.0 && body.strain)
+      add_implicit_strain(*body.model->body->flexible(), *body.strain, body.coordinates.a,
+                          body.alpha, body.work, body.terms);
     if (body.model->stiffening && has_working_field(system, data))
       body.terms.load_power += calc_tension_power(body.terms.tension, angular(hub.twist),
                                                   calc_working_field(system, t, data));

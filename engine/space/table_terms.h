@@ -11,8 +11,9 @@
 
 namespace spoke {
 
-/// Makes, at the first pass of a step, the tension on its left-hand side that of the hub's speed.
-void follow_hub_speed(const HubState<Space>& hub, BodyData<Space>& body) noexcept;
+/// Makes, at the first pass of a step, the tension on its left-hand side that of the hub's speed,
+/// or the stiffness there that of the predicted shape.
+void follow_state(const HubState<Space>& hub, BodyData<Space>& body) noexcept;
 /// Whether the terms of a pass of an implicit step have such tension.
 bool has_implicit_tension(const BodyData<Space>& body) noexcept;
 /// Whether forces on a body, in the hub's frame, depend on its pose and deformation.

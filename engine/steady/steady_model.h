@@ -229,9 +229,10 @@ class SteadyModel {
 
   virtual void evaluate(std::size_t subsystem, const SubsystemState& state, const HubOffset& hub,
                         SubsystemResponse& response) = 0;
-  /// Returns the constant K of the deformations, without joints.
-  virtual const Eigen::MatrixXd& stiffness(std::size_t subsystem) const = 0;
   // At the state that was evaluated last.
+  /// Returns the derivatives of the elastic forces by the deformations, without joints: constant
+  /// but for strains of second order.
+  virtual const Eigen::MatrixXd& stiffness(std::size_t subsystem) = 0;
   /// Returns the accelerations that the step graph finds. They also yield the forces of bodies on
   /// their carriers, see root_loads().
   virtual Eigen::VectorXd accelerations(std::size_t subsystem) = 0;

@@ -188,6 +188,15 @@ void SteadySystem<World>::set_undeformed() {
 }
 
 template <class World>
+const Eigen::MatrixXd& SteadySystem<World>::stiffness(std::size_t subsystem) {
+  const auto& bodies = data(subsystem).bodies;
+  if (std::any_of(bodies.begin(), bodies.end(),
+                  [](const BodyData<World>& body) { return has_nonlinear_strain(body); }))
+    stiffness_[subsystem] = assemble_stiffness(subsystem);
+  return stiffness_[subsystem];
+}
+
+template <class World>
 Eigen::MatrixXd SteadySystem<World>::assemble_stiffness(std::size_t subsystem) const {
   const Eigen::Index n = std::ssize(coordinates_[subsystem]);
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);

@@ -63,9 +63,7 @@ class SteadySystem final : public SteadyModel {
   void settle_at(std::size_t subsystem, const Eigen::VectorXd& absolute) override;
   void evaluate(std::size_t subsystem, const SubsystemState& state, const HubOffset& hub,
                 SubsystemResponse& response) override;
-  const Eigen::MatrixXd& stiffness(std::size_t subsystem) const override {
-    return stiffness_[subsystem];
-  }
+  const Eigen::MatrixXd& stiffness(std::size_t subsystem) override;
   Eigen::VectorXd accelerations(std::size_t subsystem) override;
   SubsystemMatrices matrices(std::size_t subsystem) override;
   Eigen::MatrixXd twists(std::size_t subsystem, int body) override;

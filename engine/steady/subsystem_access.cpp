@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 #include <utility>
 
 #include "engine/integrator/rotation.h"
 #include "engine/kernels/dense_body.h"
 #include "engine/plane/handle_motion.h"
 #include "engine/space/dense_body.h"
+#include "engine/space/nonlinear_strain.h"
 #include "engine/space/put_joint.h"
 #include "engine/space/solid_places.h"
 #include "engine/space/table_terms.h"
@@ -163,7 +165,22 @@ Eigen::MatrixXd calc_body_mass(const BodyData<Space>& body) {
 Eigen::MatrixXd calc_body_stiffness(const BodyData<Plane>& body) {
   return make_dense_elastic_block(*body.model->body, 0.0, 1.0);
 }
+namespace {
+
+/// Returns stiffness and damping of a body by its strains of second order; none of others.
+std::optional<space::StrainMatrices> calc_strain_matrices(double stiffness_factor,
+                                                          const BodyData<Space>& body) {
+  if (!has_nonlinear_strain(body)) return std::nullopt;
+  const space::FlexibleBody* flexible = body.model->body->flexible();
+  double* const q = body.work.nodal[0];
+  space::expand(*flexible, body.q_elastic, q);
+  return space::calc_strain_matrices(*flexible, stiffness_factor, q, body.work);
+}
+
+}  // namespace
+
 Eigen::MatrixXd calc_body_stiffness(const BodyData<Space>& body) {
+  if (const auto strain = calc_strain_matrices(0.0, body)) return strain->stiffness;
   return make_dense_elastic_block(*body.model->body, {0.0, 1.0, 0.0});
 }
 
@@ -172,6 +189,9 @@ Eigen::MatrixXd calc_body_damping(const Damping& damping, const BodyData<Plane>&
                                   1.0);
 }
 Eigen::MatrixXd calc_body_damping(const Damping& damping, const BodyData<Space>& body) {
+  if (const auto strain = calc_strain_matrices(damping.stiffness_factor, body))
+    return make_dense_elastic_block(*body.model->body, {damping.mass_factor, 0.0, 0.0}) +
+           strain->damping;
   return make_dense_elastic_block(*body.model->body,
                                   {damping.mass_factor, damping.stiffness_factor, 1.0});
 }

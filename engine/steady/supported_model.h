@@ -106,7 +106,7 @@ class SupportedModel final : public SteadyModel {
                 SubsystemResponse& response) override {
     of(i).evaluate(in(i), state, hub, response);
   }
-  const Eigen::MatrixXd& stiffness(std::size_t i) const override { return of(i).stiffness(in(i)); }
+  const Eigen::MatrixXd& stiffness(std::size_t i) override { return of(i).stiffness(in(i)); }
   Eigen::VectorXd accelerations(std::size_t i) override { return of(i).accelerations(in(i)); }
   SubsystemMatrices matrices(std::size_t i) override { return of(i).matrices(in(i)); }
   Eigen::VectorXd momenta(std::size_t i, const Eigen::VectorXd& v) override {

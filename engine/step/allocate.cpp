@@ -108,8 +108,9 @@ void allocate(SystemContext<World>& context, int window_steps) {
   for (SubsystemData<World>& subsystem : data.subsystems)
     for (BodyData<World>& body : subsystem.bodies) {
       CoordinateBlock& block = body.coordinates;
-      body.q_elastic = alpha ? block.history[GeneralizedAlpha::predicted_q] : block.q;
-      body.v_elastic = alpha ? block.history[GeneralizedAlpha::predicted_v] : block.v;
+      const bool is_split = alpha && !has_nonlinear_strain(body);
+      body.q_elastic = is_split ? block.history[GeneralizedAlpha::predicted_q] : block.q;
+      body.v_elastic = is_split ? block.history[GeneralizedAlpha::predicted_v] : block.v;
       body.v_modal = block.v;
       if (!alpha) body.a_found = block.a;
     }

@@ -5,6 +5,7 @@
 #include "engine/integrator/rotation.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/kinematics.h"
+#include "engine/space/implicit_strain.h"
 #include "engine/step/pass_integration.h"
 
 namespace spoke {
@@ -38,6 +39,13 @@ void begin_joint(const Method& method, const PassControl& control, BodyData<Spac
   begin_coordinates(method, control, rotation_block(body));
 }
 
+// Wrenches of the state at which a step begins; the plane has none.
+
+void keep_wrenches(BodyData<Plane>&) {}
+void keep_wrenches(BodyData<Space>& body) {
+  if (body.strain) keep_wrenches(*body.model->body->flexible(), body.coordinates.q, *body.strain);
+}
+
 // Coordinates of the hub: first the free ones; those that are prescribed follow.
 
 void begin_hub_coordinates(const System<Plane>&, const Method& method, const PassControl& control,
@@ -64,6 +72,8 @@ template <class World>
 void begin_bodies(const Method& method, SubsystemData<World>& subsystem) noexcept {
   assert(subsystem.progress);
   const PassControl& control = subsystem.progress->control;
+  if (control.begins_iteration())
+    for (BodyData<World>& body : subsystem.bodies) keep_wrenches(body);
   if (control.is_between_steps()) return;
   if (const auto* alpha = std::get_if<GeneralizedAlpha>(&method)) {
     if (control.stage != 0) return;

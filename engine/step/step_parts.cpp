@@ -79,6 +79,8 @@ BodyParts add_body_parts(SystemContext<World>& context, int i, int j, StepGraphB
   for (double* h : block.history)
     if (h) add_flex(history, h, data.layout);
   add_joint_coordinates(data, coordinates, history, accelerations);
+  const Memory wrenches = memory_of_wrenches_at_start(data);
+  coordinates.insert(coordinates.end(), wrenches.begin(), wrenches.end());
   BodyParts parts;
   parts.is_root = data.model->parent < 0;
   parts.coordinates = builder.add_part(name + "coordinates", coordinates);

@@ -68,4 +68,12 @@ struct BodyData : BodyTypes<World>::Fields {
   ArenaVector<PositionOf<World>> element_forces;
 };
 
+/// Whether the strains of a body are of second order: its elastic and damping forces are no linear
+/// function of its coordinates.
+inline bool has_nonlinear_strain(const BodyData<Plane>&) { return false; }
+inline bool has_nonlinear_strain(const BodyData<Space>& body) {
+  const space::FlexibleBody* flexible = body.model->body->flexible();
+  return flexible && flexible->is_nonlinear();
+}
+
 }  // namespace spoke

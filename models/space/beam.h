@@ -41,6 +41,7 @@ struct Beam {
   Twist damping = Twist::Zero();
   /// Damping in proportion to the whole stiffness, besides [s].
   double stiffness_damping = 0.0;
+  bool is_nonlinear = false;  ///< whether its strains are of second order
 
   bool is_damped() const { return !damping.isZero(0.0) || stiffness_damping != 0.0; }
 

@@ -182,7 +182,8 @@ FlexibleBody make_beam_body(const Beam& beam, std::vector<double> stations,
     add_inertia(element, e, body);
     add_slots(element, e, body.slots);
   }
-  body.is_decoupled = find_decoupled(body);
+  if (beam.is_nonlinear) body.second_order = make_second_order(beam, geometry, body.beam);
+  body.is_decoupled = !beam.is_nonlinear && find_decoupled(body);
   if (body.is_decoupled && !has_inertias(body))
     body.directions =
         make_directions({body.nodes, body.beam, body.slots, body.C_t, body.first_node()});

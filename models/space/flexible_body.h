@@ -13,6 +13,7 @@
 #include "models/space/beam_element.h"
 #include "models/space/block_tridiagonal.h"
 #include "models/space/directions.h"
+#include "models/space/element_second_order.h"
 
 namespace spoke::space {
 
@@ -30,6 +31,7 @@ struct FlexibleBody {
   std::vector<Position> nodes;
   std::vector<double> stations;  ///< stations of the nodes on the beam [m]
   std::vector<BeamElement> beam;
+  std::vector<ElementSecondOrder> second_order;  ///< by element; empty: strains are linear
   bool is_straight = false;  ///< whether the axes of all elements are those of B
   /// Whether its directions are decoupled: u, tx, (v, tz) and (w, ty) in K and D, and places and x
   /// axes, y axes, z axes in the slots. Then the body is straight, and its sections are symmetric
@@ -52,6 +54,8 @@ struct FlexibleBody {
   BlockTridiagonal K;  ///< elastic stiffness [N/m, N, N m]
   BlockTridiagonal D;  ///< damping of the sections [N s/m, N s, N m s]
 
+  /// Whether strains are of second order; then it has neither directions nor a TensionPlace.
+  bool is_nonlinear() const { return !second_order.empty(); }
   /// Returns the length from the first to the last node [m].
   double length() const { return nodes.back().x(); }
   int node_count() const { return elements + 1; }

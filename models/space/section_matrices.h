@@ -56,6 +56,10 @@ struct SectionMatrices {
 SectionMatrices reduce(const SectionProperties& section);
 SectionMatrices reduce(const StiffnessAndMass& section);
 
+/// Returns (EIy + EIz)/EA about the tension centre, and the square of its distance from the shear
+/// centre [m^2]: how far the fibres are from the axis about which torsion turns them.
+double gyration_about_shear_centre(const SectionMatrices& section);
+
 /// Returns the moments that a section's mass matrix holds (order x, y, z, about x, y, z).
 /// Precondition: the section is thin, [m 1, -S~; S~, Theta] with S_x = 0.
 MassMoments moments_of(const TwistMatrix& mass);

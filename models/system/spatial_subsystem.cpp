@@ -257,7 +257,9 @@ class SubsystemMaker {
       return solid->constants->is_stiffened &&
              solid->constants->frame == spatial::SolidFrame::clamped;
     const spatial::FlexibleBody* part = flexible(j);
-    return part && tree_.beams[part->beam].geometric_stiffening;
+    if (!part) return false;
+    const spatial::Beam& beam = tree_.beams[part->beam];
+    return beam.geometric_stiffening && beam.strain == spatial::BeamStrain::linear;
   }
 
   /// Finds the coordinate of a joint that slides, and its axis in the parent's frame. It must not

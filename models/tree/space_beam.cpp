@@ -139,6 +139,7 @@ space::Beam make_space_beam(const Beam& beam, const DirectionDamping& damping) {
     made.masses.push_back(
         {point.position, make_moments(point, made.geometry(point.position).axes)});
   made.damping = make_strain_factors(damping);
+  made.is_nonlinear = beam.strain == BeamStrain::nonlinear;
   return made;
 }
 

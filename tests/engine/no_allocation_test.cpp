@@ -168,6 +168,19 @@ TEST_CASE("a step of a tree in space allocates nothing, whatever the formulation
     }
 }
 
+TEST_CASE("a step with strains of second order allocates nothing, whatever the formulation") {
+  for (const Formulation formulation : formulations())
+    for (const char* method : {"generalized_alpha", "rk4"}) {
+      const Scenario scenario =
+          parse_scenario(with_nonlinear_strains(make_text(kFlyingHub, kTree + kMotors + kForest,
+                                                          kGravity + "[damping]\nflap = 1e-4\n")) +
+                             "step = 1e-4\nmethod = \"" + method + "\"\n",
+                         "tree.toml");
+      CAPTURE(name_of(formulation));
+      CHECK(allocations_of_steps(scenario, {formulation, ExecutorKind::serial, 1}, 10) == 0);
+    }
+}
+
 TEST_CASE("a step of a rotor on a support allocates nothing, whatever the formulation") {
   const std::string strut =
       "[[support.loop]]\nname = \"strut\"\nkind = \"distance\"\n"

@@ -196,6 +196,10 @@ Fault find_fault(const Beam& beam) {
   const FirstFault first;
   visit_fields(beam, first);
   if (first.found()) return first.found();
+  if (beam.strain == BeamStrain::nonlinear && !beam.geometric_stiffening)
+    first.add({"geometric_stiffening",
+               "is false, expected true, or strain = \"linear\": strains of second order make the "
+               "tension that stiffens"});
   first.add(find_fault(beam.sections, beam.length).within("sections"));
   if (beam.point_masses.size() > kMostPointMasses)
     first.add({"point_mass", "are " + std::to_string(beam.point_masses.size()) +

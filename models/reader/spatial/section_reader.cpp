@@ -102,8 +102,8 @@ SectionMatrix swap_beamdyn_axes(const SectionMatrix& matrix) {
 }
 
 TomlSection::Keys beam_keys() {
-  return {"length",    "bodies", "elements", "sections", "reference_frame", "geometric_stiffening",
-          "point_mass"};
+  return {"length", "bodies",    "elements", "sections", "reference_frame", "geometric_stiffening",
+          "strain", "point_mass"};
 }
 
 Sections read_sections(const TomlSection& beam, double length) {

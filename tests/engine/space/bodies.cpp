@@ -138,8 +138,11 @@ std::unique_ptr<TestBody> make_body(Beam beam, int elements, ReferenceFrame fram
 }  // namespace
 
 std::unique_ptr<TestBody> make_random_body(const BeamOptions& options, int elements,
-                                           ReferenceFrame frame, std::mt19937& random) {
-  return make_body(make_random_beam(options, random), elements, frame, random);
+                                           ReferenceFrame frame, std::mt19937& random,
+                                           bool is_nonlinear) {
+  Beam beam = make_random_beam(options, random);
+  beam.is_nonlinear = is_nonlinear;
+  return make_body(std::move(beam), elements, frame, random);
 }
 
 std::unique_ptr<TestBody> make_decoupled_body(int elements, ReferenceFrame frame,

@@ -55,9 +55,11 @@ struct TestBody {
 Position draw_vector(double size, std::mt19937& random);
 
 /// Makes a random beam as a body of unequal elements, at a random state, with handles at node 0, at
-/// the last node and, if it has more than two elements, at one between.
+/// the last node and, if it has more than two elements, at one between. `is_nonlinear`: with
+/// strains of second order.
 std::unique_ptr<TestBody> make_random_body(const BeamOptions& options, int elements,
-                                           ReferenceFrame frame, std::mt19937& random);
+                                           ReferenceFrame frame, std::mt19937& random,
+                                           bool is_nonlinear = false);
 /// Makes a beam of one symmetric section as such a body: its directions do not meet.
 std::unique_ptr<TestBody> make_decoupled_body(int elements, ReferenceFrame frame,
                                               std::mt19937& random);

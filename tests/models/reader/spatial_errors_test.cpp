@@ -44,9 +44,18 @@ TEST_CASE("what is of another world is refused") {
                   {"[[blade.joint]]\nname = \"flap\"", "[[blade.hinge]]\nname = \"flap\"",
                    "f.toml:21:9: blade.hinge: unknown key, expected \"length\", \"bodies\", "
                    "\"elements\", \"sections\", \"reference_frame\", \"geometric_stiffening\", "
-                   "\"point_mass\", \"azimuth\", \"precone\", \"joint\", \"loop\", "
+                   "\"strain\", \"point_mass\", \"azimuth\", \"precone\", \"joint\", \"loop\", "
                    "\"aerodynamics\" or \"count\""},
               });
+}
+
+TEST_CASE("strains are linear, or of second order with all that they stiffen") {
+  check_edits(kBladeText,
+              {{"count = 3", "count = 3\nstrain = \"green\"",
+                "f.toml:12:10: blade.strain: is \"green\", expected \"linear\" or \"nonlinear\""},
+               {"count = 3", "count = 3\nstrain = \"nonlinear\"\ngeometric_stiffening = false",
+                "f.toml:13:24: blade.geometric_stiffening: is false, expected true, or strain = "
+                "\"linear\": strains of second order make the tension that stiffens"}});
 }
 
 TEST_CASE("hubs that cannot be are refused") {

@@ -61,7 +61,11 @@ std::vector<Case> all_cases() {
       {"blades on a tower with a strut", make_text(kDrivenHub, kBooms, kTower + kStrutOfTower)},
       {"blades on a fuselage", make_text(kFuselageHub, kBooms + kHinges, kDamping + kHubLoads)},
       {"motors, driven",
-       make_text(kDrivenHub, kMotors + kTree + kForest, kRisingGravity + kDamping)}};
+       make_text(kDrivenHub, kMotors + kTree + kForest, kRisingGravity + kDamping)},
+      {"blades with strains of second order, turned",
+       with_nonlinear_strains(make_text(kTurnedHub, kBooms + kHinges, kRisingGravity + kDamping))},
+      {"tree with strains of second order, free",
+       with_nonlinear_strains(make_text(kFlyingHub, kTree + kMotors, kGravity + kDamping))}};
   for (const auto& [name, text] : models) {
     cases.push_back({name, text, Rk4{1e-5}, {{0.1, 1, false}, {0.1, 2, false}, {0.1, 0, false}}});
     cases.push_back({name,

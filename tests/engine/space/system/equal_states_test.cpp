@@ -28,7 +28,9 @@ std::vector<EqualStatesCase> equal_states_cases() {
       {"controlled blades, turned", make_text(kTurnedHub, kBooms + kControlledPitch, kGravity)},
       {"controlled blades on a tower", make_text(kTurnedHub, kBooms + kControlledPitch, kTower)},
       {"tree, free", make_text(kFlyingHub, kTree + kMotors, kGravity)},
-      {"trees, driven", make_text(kDrivenHub, kMotors + kTree, kGravity)}};
+      {"trees, driven", make_text(kDrivenHub, kMotors + kTree, kGravity)},
+      {"tree with strains of second order, free",
+       with_nonlinear_strains(make_text(kFlyingHub, kTree + kMotors, kGravity))}};
   for (const auto& [name, text] : models)
     for (const Method& method : {Method{Rk4{1e-3}}, Method{make_generalized_alpha(0.8, 5e-3)}})
       cases.push_back({name, make_system(parse_model(text)), method});

@@ -460,4 +460,12 @@ body = "nacelle"
 offset = [0.1, 0.0, 0.2]
 )";
 
+/// Returns a scenario whose beams, those of the blades included, have strains of second order.
+inline std::string with_nonlinear_strains(std::string text) {
+  for (const std::string& head : {std::string("\n[blade]\n"), std::string("\nkind = \"beam\"\n")})
+    for (std::size_t at = 0; (at = text.find(head, at)) != std::string::npos; at += head.size())
+      text.insert(at + head.size(), "strain = \"nonlinear\"\n");
+  return text;
+}
+
 }  // namespace spoke::test

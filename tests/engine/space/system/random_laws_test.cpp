@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <variant>
 
 #include "models/reader/scenario_check.h"
 #include "tests/engine/space/system/random_model.h"
@@ -67,12 +68,25 @@ void check_momentum(RandomHub hub, const System<Space>& system) {
                    spatial::testing::kRandomTorque * kSeconds) < 1e-7 * size);
 }
 
-void check_models(RandomHub hub) {
-  for (int number = 0; number < 50; ++number) {
+/// Gives every other beam, or all, strains of second order.
+void make_nonlinear(bool all, spatial::Model& model) {
+  int beams = 0;
+  for (spatial::Subsystem& subsystem : model.subsystems)
+    for (spatial::Body& body : subsystem.bodies)
+      if (auto* beam = std::get_if<spatial::Beam>(&body.shape); beam && (all || ++beams % 2 == 1)) {
+        beam->geometric_stiffening = true;
+        beam->strain = spatial::BeamStrain::nonlinear;
+      }
+}
+
+void check_models(RandomHub hub, int count = 50,
+                  spatial::BeamStrain strain = spatial::BeamStrain::linear) {
+  for (int number = 0; number < count; ++number) {
     CAPTURE(number);
     std::mt19937 random(static_cast<unsigned>(1000 * static_cast<int>(hub) + number));
     Scenario scenario;
     scenario.space = spatial::testing::make_random_model(hub, random);
+    if (strain == spatial::BeamStrain::nonlinear) make_nonlinear(number % 3 > 0, *scenario.space);
     REQUIRE_NOTHROW(check_scenario(scenario));
     const System<Space> system = make_system(*scenario.space);
     check_formulations(
@@ -98,4 +112,12 @@ TEST_CASE("random forests on a hub that a torque turns obey the laws of mechanic
 
 TEST_CASE("random forests on a hub that flies obey the laws of mechanics") {
   check_models(RandomHub::free);
+}
+
+TEST_CASE("random forests whose beams have strains of second order obey the laws of mechanics") {
+  for (const RandomHub hub :
+       {RandomHub::fixed, RandomHub::driven, RandomHub::torque, RandomHub::free}) {
+    CAPTURE(static_cast<int>(hub));
+    check_models(hub, 12, spatial::BeamStrain::nonlinear);
+  }
 }

@@ -1,0 +1,48 @@
+#pragma once
+
+// How the change of tension along an element acts on its slopes: see nonlinear_strain.h.
+
+#include "engine/space/plane_coordinates.h"
+
+namespace spoke::space {
+
+/// Weights by which psi of the node between two elements takes their h: lengths weigh, and the
+/// first and the last element of a body count whole.
+struct ShiftWeights {
+  double inboard, outboard;
+};
+inline ShiftWeights shift_weights(const FlexibleBody& body, int node) {
+  assert(node > 0 && node < body.elements);
+  const double a = body.beam[static_cast<std::size_t>(node - 1)].length;
+  const double b = body.beam[static_cast<std::size_t>(node)].length;
+  return {(node == 1 ? 2.0 : 1.0) * a / (a + b),
+          (node + 1 == body.elements ? 2.0 : 1.0) * b / (a + b)};
+}
+
+/// Returns h of an element from its slopes [m].
+inline double calc_slope_moment(const BeamElement& element, const PlaneCoordinates& x) {
+  const Double2 a = x.slope[0], b = x.slope[1];
+  const Double2 h = (3.0 * x.rise * (b - a) + element.length * (b * b - a * a)) / 60.0;
+  return h[0] + h[1];
+}
+/// Returns its rate.
+inline double calc_slope_moment_rate(const BeamElement& element, const PlaneCoordinates& x,
+                                     const PlaneCoordinates& rate) {
+  const Double2 a = x.slope[0], b = x.slope[1], a_rate = rate.slope[0], b_rate = rate.slope[1];
+  const Double2 h = (3.0 * (rate.rise * (b - a) + x.rise * (b_rate - a_rate)) +
+                     2.0 * element.length * (b * b_rate - a * a_rate)) /
+                    60.0;
+  return h[0] + h[1];
+}
+/// Returns factor times dh by the slopes.
+inline PlaneCoordinates differ_slope_moment(const BeamElement& element, double factor,
+                                            const PlaneCoordinates& x) {
+  const Double2 a = x.slope[0], b = x.slope[1];
+  const double by_60 = factor / 60.0;
+  return {by_60 * 3.0 * (b - a),
+          {-by_60 * (3.0 * x.rise + 2.0 * element.length * a),
+           by_60 * (3.0 * x.rise + 2.0 * element.length * b)},
+          {}};
+}
+
+}  // namespace spoke::space
