@@ -98,6 +98,7 @@ void suspend(const Suspension& suspension, Model& model) {
 }
 
 std::string_view name_of(BeamStrain strain) {
+  if (strain == BeamStrain::automatic) return "automatic";
   return strain == BeamStrain::nonlinear ? "nonlinear" : "linear";
 }
 

@@ -98,6 +98,10 @@ struct PointMass {
 
 /// How the strains of a beam follow from the displacements of its nodes.
 enum class BeamStrain {
+  /// nonlinear, but for what linear strains are made for: beams on a hub that its drive turns, in a
+  /// tree without moving joints and loops, with their centres at the axis
+  /// (docs/formulation.md, section 16). Linear ones take less time.
+  automatic,
   /// Linear; what rotation, gravity and loads add by tension is that of the undeformed tree
   /// (Beam::geometric_stiffening).
   linear,
@@ -118,7 +122,7 @@ struct Beam {
   /// Reference frame of each of its bodies.
   ReferenceFrame reference_frame = ReferenceFrame::clamped;
   bool geometric_stiffening = true;  ///< whether rotation stiffens bending within a body
-  BeamStrain strain = BeamStrain::linear;
+  BeamStrain strain = BeamStrain::automatic;
   std::vector<PointMass> point_masses{};  ///< point masses besides its own mass
 
   friend bool operator==(const Beam&, const Beam&) = default;

@@ -5,7 +5,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <utility>
+
+#include "engine/support/wide_kernels.h"
 
 namespace spoke::space {
 namespace {
@@ -31,9 +34,31 @@ using NodeRows = Eigen::Matrix<double, kTwist, kColumns, Eigen::RowMajor>;
 template <int kColumns>
 using NodeMap = Eigen::Map<NodeRows<kColumns>>;
 
+/// Returns the inverse of the Cholesky factor of a block.
+TwistBlock invert_factor(const TwistBlock& block) {
+  const TwistBlock L = Eigen::LLT<TwistBlock>(block).matrixL();
+  return L.triangularView<Eigen::Lower>().solve(TwistBlock::Identity());
+}
+
+/// The same for bodies whose factor changes each step: elimination of `block` below a column
+/// eliminates the identity, too, and each pivot scales its row of it.
+[[gnu::always_inline]] inline TwistBlock invert_factor_quickly(TwistBlock block) {
+  TwistBlock inverse = TwistBlock::Identity();
+  for (int k = 0; k < kTwist; ++k) {
+    const double by_pivot = 1.0 / block(k, k), scale = std::sqrt(by_pivot);
+    for (int i = k + 1; i < kTwist; ++i) {
+      const double factor = block(i, k) * by_pivot;
+      for (int j = k + 1; j < kTwist; ++j) block(i, j) -= factor * block(k, j);
+      for (int j = 0; j <= k; ++j) inverse(i, j) -= factor * inverse(k, j);
+    }
+    for (int j = 0; j <= k; ++j) inverse(k, j) *= scale;
+  }
+  return inverse;
+}
+
 /// Sets the factors of Mhat + `added`, which may be null.
-void factorise(const FlexibleBody& body, const BlockFactors& factors, const BlockTridiagonal* added,
-               ElasticBlock& block) {
+[[gnu::always_inline]] inline void factorise(const FlexibleBody& body, const BlockFactors& factors,
+                                             const BlockTridiagonal* added, ElasticBlock& block) {
   TwistBlock inverse_before = TwistBlock::Zero();
   const auto sum = [&](std::vector<TwistMatrix> BlockTridiagonal::*part, std::size_t at) {
     TwistBlock total = factors.mass * (body.M.*part)[at];
@@ -51,8 +76,8 @@ void factorise(const FlexibleBody& body, const BlockFactors& factors, const Bloc
     diagonal -= below.lazyProduct(below.transpose());
     // Tension of a simulation that diverges may be no number.
     assert(!(diagonal.diagonal().minCoeff() <= 0.0) && "positive definite");
-    const TwistBlock L = Eigen::LLT<TwistBlock>(diagonal).matrixL();
-    inverse_before = L.triangularView<Eigen::Lower>().solve(TwistBlock::Identity());
+    inverse_before =
+        body.is_nonlinear() ? invert_factor_quickly(diagonal) : invert_factor(diagonal);
     Eigen::Map<TwistBlock>(&block.inverse[at * ElasticBlock::kBlock]) = inverse_before;
     Eigen::Map<TwistBlock>(&block.below[at * ElasticBlock::kBlock]) = below;
   }
@@ -171,7 +196,10 @@ ElasticBlock make_elastic_block(const FlexibleBody& body, const BlockFactors& fa
 void factorise_anew(const FlexibleBody& body, const BlockFactors& factors,
                     const BlockTridiagonal& added, const ImplicitShift* shift,
                     ElasticBlock& block) noexcept {
-  set_block(body, factors, &added, shift, block);
+  if (shift)
+    run_large_kernel([&] { set_block(body, factors, &added, shift, block); });
+  else
+    set_block(body, factors, &added, shift, block);
 }
 
 }  // namespace spoke::space

@@ -2,7 +2,13 @@
 
 #include "engine/space/element_strain.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
+
+#include "engine/support/wide_kernels.h"
+#include "models/space/rotation_series.h"
+#include "models/space/twist_columns.h"
 
 namespace spoke::space {
 namespace {
@@ -45,9 +51,9 @@ Matrix3 differ_polynomial(double once, double twice, double once_rate, double tw
 }
 
 /// Returns the derivatives of H(theta) m by theta.
-Matrix3 differ_tangent(const Angular& theta, const Angular& m) {
-  const RotationCoefficients k = calc_rotation_coefficients(theta.squaredNorm());
-  return differ_polynomial(k.c, k.d, k.c_rate, k.d_rate, theta, m);
+Matrix3 differ_tangent(const NodeTurn& turn, const Angular& m) {
+  const RotationCoefficients& k = turn.coefficients;
+  return differ_polynomial(k.c, k.d, k.c_rate, k.d_rate, turn.theta, m);
 }
 /// Returns the derivatives of J(dh)^T m by dh.
 Matrix3 differ_logarithm_rate(const Angular& dh, const Angular& m) {
@@ -55,35 +61,76 @@ Matrix3 differ_logarithm_rate(const Angular& dh, const Angular& m) {
   return differ_polynomial(-0.5, at.k, 0.0, at.k_rate, dh, m);
 }
 
-/// Sets the rows of -dF/dd0, by half: T's difference from the identity.
-void set_rows(const ElementSecondOrder::Forms& forms, const Twist& d0, int first, TwistMatrix& T,
+/// asin(s)/s as a series in s^2.
+constexpr std::size_t kArcTerms = 14;
+constexpr std::array<double, kArcTerms> make_arc_series() {
+  std::array<double, kArcTerms> series{};
+  double binomial = 1.0;  // (2k)!/(4^k k!^2)
+  for (std::size_t k = 0; k < kArcTerms; ++k) {
+    const auto n = static_cast<double>(k);
+    series[k] = binomial / (2.0 * n + 1.0);
+    binomial *= (2.0 * n + 1.0) / (2.0 * n + 2.0);
+  }
+  return series;
+}
+constexpr auto kArcSeries = make_arc_series();
+
+/// Returns log(R), for the small angles between the ends of an element without a square root.
+Angular calc_logarithm(const Matrix3& R) {
+  const Angular v = 0.5 * Angular(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
+  const double x = v.squaredNorm();
+  if (!(x < 0.06) || R.trace() < 2.0) return logarithm(Rotation{R});
+  double sum = 0.0;
+  for (std::size_t k = kArcTerms; k-- > 0;) sum = kArcSeries[k] + x * sum;
+  return sum * v;
+}
+
+/// Sets the rows of dd/dd0, -forms d0 but for the identity, as columns, and subtracts what they
+/// take off d.
+void set_rows(const ElementSecondOrder::Forms& forms, const Twist& d0, int first, TwistMatrix& T_t,
               Twist& d) {
   for (int i = 0; i < 3; ++i) {
-    const Twist row = forms[static_cast<std::size_t>(i)].lazyProduct(d0);
+    const Twist row = multiply(forms[static_cast<std::size_t>(i)], d0);
     d[first + i] -= 0.5 * row.dot(d0);
-    T.row(first + i) -= row.transpose();
+    T_t.col(first + i) = -row;
+    T_t(first + i, first + i) += 1.0;
   }
 }
+
+/// 1 + a theta~ + b theta~^2.
+Matrix3 calc_polynomial(double a, double b, const Angular& theta) {
+  Matrix3 m = b * theta * theta.transpose() + skew(a * theta);
+  m.diagonal().array() += 1.0 - b * theta.squaredNorm();
+  return m;
+}
+
+Matrix3 symmetric(const Matrix3& m) { return 0.5 * (m + m.transpose()); }
 
 }  // namespace
 
 NodeTurn calc_node_turn(const Angular& theta) noexcept {
-  const RotationVectorMotion motion = calc_rotation_vector_motion(theta, Angular::Zero());
-  return {theta, motion.R.axes, motion.H};
+  NodeTurn turn;
+  turn.theta = theta;
+  turn.coefficients = calc_rotation_coefficients(theta.squaredNorm());
+  const RotationCoefficients& k = turn.coefficients;
+  turn.Q = calc_polynomial(k.s, k.c, theta);
+  turn.H = calc_polynomial(k.c, k.d, theta);
+  return turn;
 }
 
 ElementStrain::ElementStrain(const BeamElement& element, const ElementSecondOrder& second,
                              const NodeTurn& inner, const NodeTurn& outer, const double* q) noexcept
     : second_(second), inner_(inner), outer_(outer) {
-  y_ = inner.Q.transpose().lazyProduct(element.chord + Node(q + kTwist) - Node(q));
-  R_ = inner.Q.transpose().lazyProduct(outer.Q);
-  dh_ = logarithm(Rotation{R_});
-  J_ = calc_logarithm_rate(dh_);
-  const Twist d0 = make_twist(y_ - element.chord, dh_);
-  d_ = d0;
-  T_.setIdentity();
-  set_rows(second.place, d0, 0, T_, d_);
-  set_rows(second.rotation, d0, kRotation, T_, d_);
+  run_large_kernel([&] {
+    y_ = inner.Q.transpose().lazyProduct(element.chord + Node(q + kTwist) - Node(q));
+    R_ = inner.Q.transpose().lazyProduct(outer.Q);
+    dh_ = calc_logarithm(R_);
+    J_ = calc_logarithm_rate(dh_);
+    const Twist d0 = make_twist(y_ - element.chord, dh_);
+    d_ = d0;
+    set_rows(second.place, d0, 0, T_t_, d_);
+    set_rows(second.rotation, d0, kRotation, T_t_, d_);
+  });
 }
 
 Twist ElementStrain::rate(const double* v) const noexcept {
@@ -92,11 +139,11 @@ Twist ElementStrain::rate(const double* v) const noexcept {
   const Position De = Node(v + kTwist) - Node(v);
   const Position y = inner_.Q.transpose().lazyProduct(De) + cross(y_, inner);
   const Angular w = outer - R_.transpose().lazyProduct(inner);
-  return T_.lazyProduct(make_twist(y, J_.lazyProduct(w)));
+  return T_t_.transpose().lazyProduct(make_twist(y, J_.lazyProduct(w)));
 }
 
 void ElementStrain::subtract_force(const Twist& sigma, double* force) const noexcept {
-  const Twist g = T_.transpose().lazyProduct(sigma);
+  const Twist g = multiply(T_t_, sigma);
   const Position F = g.head<3>();
   const Angular m = J_.transpose().lazyProduct(g.tail<3>());
   const Position on_outer = inner_.Q.lazyProduct(F);
@@ -110,7 +157,7 @@ void ElementStrain::subtract_force(const Twist& sigma, double* force) const noex
   }
 }
 
-StrainMap ElementStrain::map_to_d0() const noexcept {
+StrainMap ElementStrain::map() const noexcept {
   StrainMap D0 = StrainMap::Zero();
   const Matrix3 inner = inner_.H.transpose(), outer = outer_.H.transpose();
   D0.block<3, 3>(0, 0) = -inner_.Q.transpose();
@@ -119,42 +166,68 @@ StrainMap ElementStrain::map_to_d0() const noexcept {
   D0.block<3, 3>(kRotation, kRotation) =
       -J_.lazyProduct(Matrix3(R_.transpose().lazyProduct(inner)));
   D0.block<3, 3>(kRotation, kTwist + kRotation) = J_.lazyProduct(outer);
-  return D0;
+  return T_t_.transpose().lazyProduct(D0);
 }
 
-StrainMap ElementStrain::map() const noexcept { return T_.lazyProduct(map_to_d0()); }
+NodesMatrix ElementStrain::tangent(const TwistMatrix& K, const Twist& sigma) const noexcept {
+  NodesMatrix nodes;
+  run_large_kernel([&] { set_tangent(K, sigma, nodes); });
+  return nodes;
+}
 
-NodesMatrix ElementStrain::geometric_stiffness(const Twist& sigma) const noexcept {
-  const StrainMap D0 = map_to_d0();
-  // By T: D0^T (dT^T/dq sigma).
-  Matrix6 forms = Matrix6::Zero();
+// With x = (y', w_1, w_2), the angular velocities in the axes of their nodes:
+//   d0' = A x,  A = [1, y~, 0; 0, -J R^T, J];      D0^T g = (F; F x y - R m; m), m = J^T M, g = (F;
+//   M).
+// A^T (T^T K T - forms) A is by the strain, what is left by the directions of these forces.
+void ElementStrain::set_tangent(const TwistMatrix& K, const Twist& sigma,
+                                NodesMatrix& nodes) const noexcept {
+  TwistMatrix by_d0 = multiply_transposed(multiply(T_t_, K), T_t_);
   for (std::size_t i = 0; i < 3; ++i) {
     const auto at = static_cast<Eigen::Index>(i);
-    forms += sigma[at] * second_.place[i] + sigma[kRotation + at] * second_.rotation[i];
+    by_d0 -= sigma[at] * second_.place[i] + sigma[kRotation + at] * second_.rotation[i];
   }
-  const StrainMap by_forms = forms.lazyProduct(D0);
-  NodesMatrix K = -D0.transpose().lazyProduct(by_forms);
-  // By D0, with g = T^T sigma held: the rows of subtract_force(), one after the other.
-  using Rows = Eigen::Matrix<double, 3, kBothNodes>;
-  const Twist g = T_.transpose().lazyProduct(sigma);
+  const Matrix3 tt = by_d0.topLeftCorner<3, 3>(), rt = by_d0.bottomLeftCorner<3, 3>(),
+                rr = by_d0.bottomRightCorner<3, 3>();
+  const Twist g = multiply(T_t_, sigma);
   const Position F = g.head<3>();
   const Angular M = g.tail<3>(), m = J_.transpose().lazyProduct(M);
-  Rows inner = Rows::Zero(), w = Rows::Zero();  // angular velocities: inner node, outer less inner
-  inner.middleCols<3>(kRotation) = inner_.H.transpose();
-  w.middleCols<3>(kRotation) = -R_.transpose().lazyProduct(inner_.H.transpose());
-  w.middleCols<3>(kTwist + kRotation) = outer_.H.transpose();
-  const Rows m_slope = differ_logarithm_rate(dh_, M).lazyProduct(D0.bottomRows<3>());
-  const Rows F_slope = Matrix3(inner_.Q.lazyProduct(skew(-F))).lazyProduct(inner);
-  K.middleRows<3>(0) -= F_slope;
-  K.middleRows<3>(kTwist) += F_slope;
-  K.middleRows<3>(kTwist + kRotation) += outer_.H.lazyProduct(m_slope);
-  K.block<3, 3>(kTwist + kRotation, kTwist + kRotation) += differ_tangent(outer_.theta, m);
-  const Angular n = cross(F, y_) - R_.lazyProduct(m);
-  Rows n_slope = skew(F).lazyProduct(D0.topRows<3>());
-  n_slope += R_.lazyProduct(Rows(skew(m).lazyProduct(w) - m_slope));
-  K.middleRows<3>(kRotation) += inner_.H.lazyProduct(n_slope);
-  K.block<3, 3>(kRotation, kRotation) += differ_tangent(inner_.theta, n);
-  return 0.5 * (K + K.transpose());
+  const Matrix3 y = skew(y_), P = J_.lazyProduct(R_.transpose());
+  const Matrix3 slope = differ_logarithm_rate(dh_, M), slope_P = slope.lazyProduct(P);
+  const Matrix3 on_place = tt.lazyProduct(y) - rt.transpose().lazyProduct(P);
+  const Matrix3 on_turn = rt.lazyProduct(y) - rr.lazyProduct(P);
+  const Matrix3 J_t = J_.transpose();
+  const Matrix3 inner_place = on_place.transpose() + skew(F);
+  const Matrix3 outer_place = J_t.lazyProduct(rt);
+  const Matrix3 inner = skew(F).lazyProduct(y) - y.lazyProduct(on_place) -
+                        P.transpose().lazyProduct(on_turn) +
+                        R_.lazyProduct(Matrix3(slope_P - skew(m).lazyProduct(R_.transpose())));
+  const Matrix3 outer_inner = J_t.lazyProduct(on_turn) - slope_P;
+  const Matrix3 outer = J_t.lazyProduct(rr).lazyProduct(J_) + slope.lazyProduct(J_);
+
+  const Matrix3 &Q = inner_.Q, Q_t = Q.transpose(), &H = inner_.H, &G = outer_.H;
+  const Matrix3 uu = Q.lazyProduct(tt).lazyProduct(Q_t);
+  const Matrix3 inner_u = H.lazyProduct(inner_place).lazyProduct(Q_t);
+  const Matrix3 outer_u = G.lazyProduct(outer_place).lazyProduct(Q_t);
+  const Position n = cross(F, y_) - R_.lazyProduct(m);
+  constexpr int i = kRotation, u = kTwist, o = kTwist + kRotation;
+  nodes.block<3, 3>(0, 0) = uu;
+  nodes.block<3, 3>(u, 0) = -uu;
+  nodes.block<3, 3>(u, u) = uu;
+  nodes.block<3, 3>(i, 0) = -inner_u;
+  nodes.block<3, 3>(u, i) = inner_u.transpose();
+  nodes.block<3, 3>(o, 0) = -outer_u;
+  nodes.block<3, 3>(o, u) = outer_u;
+  nodes.block<3, 3>(i, i) =
+      symmetric(H.lazyProduct(inner).lazyProduct(H.transpose()) + differ_tangent(inner_, n));
+  nodes.block<3, 3>(o, i) = G.lazyProduct(outer_inner).lazyProduct(H.transpose());
+  nodes.block<3, 3>(o, o) =
+      symmetric(G.lazyProduct(outer).lazyProduct(G.transpose()) + differ_tangent(outer_, m));
+  nodes.block<3, 3>(0, u) = -uu;
+  nodes.block<3, 3>(0, i) = -inner_u.transpose();
+  nodes.block<3, 3>(i, u) = inner_u;
+  nodes.block<3, 3>(0, o) = -outer_u.transpose();
+  nodes.block<3, 3>(u, o) = outer_u.transpose();
+  nodes.block<3, 3>(i, o) = nodes.block<3, 3>(o, i).transpose();
 }
 
 }  // namespace spoke::space

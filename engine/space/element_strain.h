@@ -18,12 +18,12 @@ struct NodeTurn {
   Angular theta = Angular::Zero();
   Matrix3 Q = Matrix3::Identity();
   Matrix3 H = Matrix3::Identity();
+  RotationCoefficients coefficients{};
 };
 NodeTurn calc_node_turn(const Angular& theta) noexcept;
 
 /// Coordinates of the two nodes of an element, and their derivatives.
 inline constexpr int kBothNodes = 2 * kTwist;
-using Matrix6 = Eigen::Matrix<double, kTwist, kTwist>;
 using StrainMap = Eigen::Matrix<double, kTwist, kBothNodes>;
 using NodesMatrix = Eigen::Matrix<double, kBothNodes, kBothNodes>;
 
@@ -42,20 +42,20 @@ class ElementStrain {
   void subtract_force(const Twist& sigma, double* force) const noexcept;
   /// Returns D.
   StrainMap map() const noexcept;
-  /// Returns the derivatives of D^T sigma, sigma held.
-  NodesMatrix geometric_stiffness(const Twist& sigma) const noexcept;
+  /// Returns D^T K D, K symmetric, and the derivatives of D^T sigma, sigma held.
+  NodesMatrix tangent(const TwistMatrix& K, const Twist& sigma) const noexcept;
 
  private:
+  [[gnu::always_inline]] inline void set_tangent(const TwistMatrix& K, const Twist& sigma,
+                                                 NodesMatrix& nodes) const noexcept;
+
   const ElementSecondOrder& second_;
   const NodeTurn &inner_, &outer_;
   Position y_;
   Angular dh_;
   Matrix3 R_;  ///< Q_1^T Q_2
   Matrix3 J_;  ///< rate of dh per angular velocity of the outer node against the inner, in its axes
-  TwistMatrix T_;  ///< dd/dd0
-
-  /// Returns dd0/dq.
-  StrainMap map_to_d0() const noexcept;
+  TwistMatrix T_t_;  ///< transpose of dd/dd0
   Twist d_;
 };
 

@@ -228,17 +228,6 @@ Eigen::MatrixXd map_with_shift(const FlexibleBody& body, int e, const ElementStr
   return D;
 }
 
-/// Returns the second derivatives of h of an element.
-NodesMatrix curvature(const BeamElement& element, bool is_straight) {
-  NodesMatrix H;
-  for (int c = 0; c < kBothNodes; ++c) {
-    double unit[kBothNodes]{};
-    unit[c] = 1.0;
-    H.col(c) = gradient(element, is_straight, unit);
-  }
-  return H;
-}
-
 }  // namespace
 
 double subtract_strain_forces(const FlexibleBody& body, double stiffness_factor,
@@ -282,13 +271,10 @@ void add_tangents(const FlexibleBody& body, const BlockFactors& factors, double 
   };
   visit_strains(body, q, [&](int e, const ElementStrain& strain, const Position&) {
     const BeamElement& element = body.beam[static_cast<std::size_t>(e)];
-    const Matrix6 K = factors.stiffness * element.stiffness + factors.damping * element.damping;
-    const StrainMap D = strain.map();
-    const StrainMap K_D = K.lazyProduct(D);
-    NodesMatrix tangent = D.transpose().lazyProduct(K_D);
-    tangent += gain * strain.geometric_stiffness(wrenches[e]);
+    const TwistMatrix K = factors.stiffness * element.stiffness + factors.damping * element.damping;
+    NodesMatrix tangent = strain.tangent(K, gain * wrenches[e]);
     if (body.elements > 1)
-      tangent += gain * calc_rise(body, e, tension) * curvature(element, body.is_straight);
+      add_slope_curvature(element, gain * calc_rise(body, e, tension), tangent);
     sum.add(e, tangent);
   });
 }
@@ -343,14 +329,15 @@ StrainMatrices calc_strain_matrices(const FlexibleBody& body, double stiffness_f
     const BeamElement& element = body.beam[at];
     add_nodes(body, first, D.transpose() * element.stiffness * D, sum.stiffness);
     add_nodes(body, first, D.transpose() * damping_of(element, stiffness_factor) * D, sum.damping);
-    add_nodes(body, e, strain.geometric_stiffness(wrenches[at]), sum.stiffness);
+    add_nodes(body, e, strain.tangent(TwistMatrix::Zero(), wrenches[at]), sum.stiffness);
   });
   const auto tension_of = [&tension](int e) { return tension[static_cast<std::size_t>(e)]; };
-  for (int e = 0; e < body.elements; ++e)
-    add_nodes(body, e,
-              calc_rise(body, e, tension_of) *
-                  curvature(body.beam[static_cast<std::size_t>(e)], body.is_straight),
-              sum.stiffness);
+  for (int e = 0; e < body.elements; ++e) {
+    NodesMatrix by_rise = NodesMatrix::Zero();
+    add_slope_curvature(body.beam[static_cast<std::size_t>(e)], calc_rise(body, e, tension_of),
+                        by_rise);
+    add_nodes(body, e, by_rise, sum.stiffness);
+  }
   return sum;
 }
 

@@ -45,4 +45,25 @@ inline PlaneCoordinates differ_slope_moment(const BeamElement& element, double f
           {}};
 }
 
+/// Adds factor times the second derivatives of h by the coordinates of both nodes, which are
+/// constant; slopes are the rotation x the element's axis.
+inline void add_slope_curvature(const BeamElement& element, double factor,
+                                Eigen::Matrix<double, 2 * kTwist, 2 * kTwist>& sum) {
+  const Position axis = element.axes.col(0);
+  const Matrix3 rise = factor / 20.0 * skew(axis);
+  const Matrix3 slope =
+      factor * element.length / 30.0 * (Matrix3::Identity() - axis * axis.transpose());
+  constexpr int kOuter = kTwist + kRotation;
+  const auto add = [&sum](int row, int column, const Matrix3& block) {
+    sum.block<3, 3>(row, column) += block;
+    sum.block<3, 3>(column, row) += block.transpose();
+  };
+  add(kRotation, 0, rise);
+  add(kRotation, kTwist, -rise);
+  add(kOuter, 0, -rise);
+  add(kOuter, kTwist, rise);
+  sum.block<3, 3>(kRotation, kRotation) -= slope;
+  sum.block<3, 3>(kOuter, kOuter) += slope;
+}
+
 }  // namespace spoke::space

@@ -74,18 +74,23 @@ SectionMatrices reduce(const StiffnessAndMass& section) {
   return reduced;
 }
 
-double gyration_about_shear_centre(const SectionMatrices& section) {
-  const TwistMatrix& C = section.compliance;
+TensionCentre find_tension_centre(const SectionMatrices& section) {
   // Resultants F_x, M_x, M_y, M_z, no shear forces: stiffness of their strains.
   constexpr int kAt[] = {0, 3, 4, 5};
   Eigen::Matrix4d compliance;
   for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) compliance(i, j) = C(kAt[i], kAt[j]);
+    for (int j = 0; j < 4; ++j) compliance(i, j) = section.compliance(kAt[i], kAt[j]);
   const Eigen::Matrix4d S = compliance.inverse();
-  const double y = -S(0, 3) / S(0, 0), z = S(0, 2) / S(0, 0);  // tension centre
+  const double y = -S(0, 3) / S(0, 0), z = S(0, 2) / S(0, 0);
+  return {y, z, (S(2, 2) + S(3, 3)) / S(0, 0) - (y * y + z * z)};
+}
+
+double gyration_about_shear_centre(const SectionMatrices& section) {
+  const TwistMatrix& C = section.compliance;
+  const TensionCentre at = find_tension_centre(section);
   // In-plane displacement of the reference point, and from it of the tension centre, per twist.
-  const double along_y = C(1, 3) / C(3, 3) - z, along_z = C(2, 3) / C(3, 3) + y;
-  return (S(2, 2) + S(3, 3)) / S(0, 0) - (y * y + z * z) + along_y * along_y + along_z * along_z;
+  const double along_y = C(1, 3) / C(3, 3) - at.z, along_z = C(2, 3) / C(3, 3) + at.y;
+  return at.gyration + along_y * along_y + along_z * along_z;
 }
 
 MassMoments moments_of(const TwistMatrix& mass) {

@@ -56,6 +56,13 @@ struct SectionMatrices {
 SectionMatrices reduce(const SectionProperties& section);
 SectionMatrices reduce(const StiffnessAndMass& section);
 
+/// The place of a section where tension does not bend.
+struct TensionCentre {
+  double y = 0.0, z = 0.0;  ///< from the reference point, section axes [m]
+  double gyration = 0.0;    ///< (EIy + EIz)/EA about it [m^2]
+};
+TensionCentre find_tension_centre(const SectionMatrices& section);
+
 /// Returns (EIy + EIz)/EA about the tension centre, and the square of its distance from the shear
 /// centre [m^2]: how far the fibres are from the axis about which torsion turns them.
 double gyration_about_shear_centre(const SectionMatrices& section);

@@ -9,6 +9,7 @@
 #include "models/space/reference_curve.h"
 #include "models/space/rotation_vector.h"
 #include "models/tree/beam_cuts.h"
+#include "models/tree/beam_strain.h"
 #include "models/tree/space_beam.h"
 #include "models/tree/tree.h"
 
@@ -340,6 +341,7 @@ std::vector<Tree> build_trees(const Model& model) {
     const bool is_blade = i < model.blades.size();
     trees[i].key = is_blade ? "blades." + std::to_string(i + 1)
                             : key_of_subsystem(model, i - model.blades.size());
+    choose_strains(model, trees[i]);
   }
   return trees;
 }

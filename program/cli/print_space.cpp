@@ -133,9 +133,11 @@ Part describe_part(const Tree& tree, std::size_t first) {
     ++end;
   }
   const std::string last = end == first + 1 ? "" : " ... " + tree.bodies[end - 1].name;
-  return {end - first, fmt::format("{}{} (beam, {} to {} m, {})", body.name, last,
+  const bool is_nonlinear = tree.beams[innermost.beam].strain == spatial::BeamStrain::nonlinear;
+  return {end - first, fmt::format("{}{} (beam, {} to {} m, {}{})", body.name, last,
                                    number(innermost.nodes.front()), number(tip),
-                                   counted(static_cast<std::int64_t>(elements), "element"))};
+                                   counted(static_cast<std::int64_t>(elements), "element"),
+                                   is_nonlinear ? ", nonlinear strains" : "")};
 }
 
 /// Names the body that a body is joined to, or the base of the tree.

@@ -53,8 +53,7 @@ Blade read_blade(const TomlSection& own, const TomlSection& common, double azimu
       from.of("reference_frame")
           .choice("reference_frame", {ReferenceFrame::clamped, ReferenceFrame::chord},
                   beam.reference_frame);
-  beam.strain =
-      from.of("strain").choice("strain", {BeamStrain::linear, BeamStrain::nonlinear}, beam.strain);
+  beam.strain = read_strain(from.of("strain"));
   blade.azimuth = azimuth;
   visit_fields(blade, read);
   blade.joints = read_joints(from.of("joint"));

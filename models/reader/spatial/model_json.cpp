@@ -72,7 +72,7 @@ void add_beam(const Beam& beam, Json& json) {
   json.set("sections", to_json(beam.sections));
   json.set("geometric_stiffening", beam.geometric_stiffening);
   json.set("reference_frame", name_of(beam.reference_frame));
-  if (beam.strain != BeamStrain::linear) json.set("strain", name_of(beam.strain));
+  if (beam.strain != BeamStrain::automatic) json.set("strain", name_of(beam.strain));
   for (const PointMass& point : beam.point_masses) {
     Json mass;
     visit_fields(point, FieldWriter{mass});

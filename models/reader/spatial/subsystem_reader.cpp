@@ -39,7 +39,7 @@ Beam read_beam(const TomlSection& section) {
   beam.geometric_stiffening = section.flag("geometric_stiffening", beam.geometric_stiffening);
   beam.reference_frame = section.choice(
       "reference_frame", {ReferenceFrame::clamped, ReferenceFrame::chord}, beam.reference_frame);
-  beam.strain = section.choice("strain", {BeamStrain::linear, BeamStrain::nonlinear}, beam.strain);
+  beam.strain = read_strain(section);
   return beam;
 }
 
