@@ -35,6 +35,7 @@ constexpr std::array kQuestions{
     Question{"loops", "what closed loops cost, by mechanism and number of suspensions",
              measure_loops},
     Question{"solids", "what solids cost, and what threads gain on one of them", measure_solids},
+    Question{"strains", "what strains of second order cost beside linear ones", measure_strains},
     Question{"supports", "what a support costs beside its rotor, and what threads gain there",
              measure_supports},
     Question{"air", "what air costs beside the structure of its blades", measure_air},

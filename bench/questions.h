@@ -31,6 +31,9 @@ void measure_solids(const QuestionOptions& options, Report& report);
 /// What does a support cost beside the rotor on it, and what do two threads gain?
 void measure_supports(const QuestionOptions& options, Report& report);
 
+/// What do strains of second order cost beside linear ones?
+void measure_strains(const QuestionOptions& options, Report& report);
+
 /// What does air cost beside the structure of the blades that it acts on?
 void measure_air(const QuestionOptions& options, Report& report);
 

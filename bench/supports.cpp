@@ -7,17 +7,15 @@
 // The steps are those from 2 s on, when blades and tower move; a simulation goes back there before
 // each of its turns. The ratio of evaluations says what of the ratio of steps is one of iterations.
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "bench/compare/interleaved.h"
 #include "bench/progress.h"
 #include "bench/questions.h"
-#include "engine/simulation.h"
+#include "bench/repeated_steps.h"
 #include "graph/machine/duration_text.h"
 #include "models/system/spatial_system.h"
 
@@ -41,47 +39,13 @@ Scenario without_support(Scenario scenario) {
   return scenario;
 }
 
-/// A simulation that makes the same steps over and over.
-class SupportSteps {
- public:
-  SupportSteps(const Scenario& scenario, ExecutorKind kind, int threads)
-      : simulation_(scenario, {Formulation::structured, kind, threads}) {
-    simulation_.run_until(kBegin);
-    start_ = simulation_.save();
-    // Until an executor that chooses has chosen.
-    for (int k = 0; k < (kind == ExecutorKind::automatic ? 20 : 1); ++k) {
-      go_back();
-      run();
-    }
-    evaluations_ = static_cast<double>(simulation_.evaluations() - start_.evaluations) / kSteps;
-    hash_ = simulation_.state_hash();
-  }
+using SupportSteps = std::shared_ptr<RepeatedSteps>;
 
-  void go_back() { simulation_.restore(start_); }
-  void run() {
-    simulation_.run_until(static_cast<double>(start_.steps + kSteps) * simulation_.step_size());
-  }
-  double evaluations_per_step() const { return evaluations_; }
-  std::uint64_t hash() const { return hash_; }
-  std::string executor() const { return simulation_.executor_description(); }
-
- private:
-  Simulation simulation_;
-  SavedState start_;
-  double evaluations_ = 0.0;
-  std::uint64_t hash_ = 0;
-};
-using SupportStepsPointer = std::shared_ptr<SupportSteps>;
-
-SupportStepsPointer make_steps(const std::string& name, const Scenario& scenario, ExecutorKind kind,
-                               int threads) {
+SupportSteps make_steps(const std::string& name, const Scenario& scenario, ExecutorKind kind,
+                        int threads) {
   show_progress(name + ": building");
-  return std::make_shared<SupportSteps>(scenario, kind, threads);
-}
-
-Alternative make_alternative(std::string name, const SupportStepsPointer& steps, int reference) {
-  return {std::move(name), [steps] { steps->run(); }, [steps] { steps->go_back(); }, 1.0 / kSteps,
-          reference};
+  return std::make_shared<RepeatedSteps>(
+      scenario, SimulationOptions{Formulation::structured, kind, threads}, kBegin, kSteps);
 }
 
 /// Returns the speedup over the reference: median and quartiles.
@@ -108,14 +72,14 @@ void measure_supports(const QuestionOptions& options, Report& report) {
                       {"rotor alone, auto", rotor, ExecutorKind::automatic, 2, 0},
                       {"turbine, auto", turbine, ExecutorKind::automatic, 2, 1},
                       {"turbine, flow_graph", turbine, ExecutorKind::flow_graph, 2, 1}};
-  std::vector<SupportStepsPointer> steps;
+  std::vector<SupportSteps> steps;
   std::vector<Alternative> alternatives;
   for (const Way& way : ways) {
     steps.push_back(make_steps(way.name, way.scenario, way.kind, way.threads));
     const auto reference = static_cast<std::size_t>(way.reference);
     if (way.threads > 1 && steps.back()->hash() != steps[reference]->hash())
       throw std::runtime_error(std::string(way.name) + " ends in another state than serial steps");
-    alternatives.push_back(make_alternative(way.name, steps.back(), way.reference));
+    alternatives.push_back(RepeatedSteps::alternative(way.name, steps.back(), way.reference));
   }
   const std::vector<Timing> timings =
       measure(alternatives, options.quick ? Effort{3, 0.0, 1.0} : Effort{31, 0.0, 20.0});

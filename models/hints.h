@@ -12,8 +12,8 @@ namespace spoke {
 
 /// Returns a sentence for each: angles that seem to be degrees, drag below zero, what a solid's
 /// mesh leaves out of its file, materials in other units, default inertias far out of a section,
-/// bodies of next to no inertia beside flexible ones. `spoke check`, `run` and the other commands
-/// print them as warnings.
+/// bodies of next to no inertia beside flexible ones, tension that linear strains do not know.
+/// `spoke check`, `run` and the other commands print them as warnings.
 SPOKE_EXPORT std::vector<std::string> find_hints(const Scenario& scenario);
 
 }  // namespace spoke

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <limits>
 #include <memory>
+#include <numbers>
 #include <utility>
 #include <variant>
 
@@ -53,6 +54,16 @@ void place_joint(const Joint& joint, int history, double* memory, JointData& dat
   std::uninitialized_value_construct_n(data.driven, joint.driven);
 }
 
+/// Of a body with strains of second order: coordinates of the norm s bend an element of length l by
+/// (sqrt(2) + l) s at most.
+double calc_surely_linear(const FlexibleBody& body, double range) {
+  double norm = std::numeric_limits<double>::infinity();
+  for (const BeamElement& element : body.beam)
+    norm = std::min(norm, range * element.length / body.length() /
+                              (std::numbers::sqrt2 + element.length));
+  return norm * norm;
+}
+
 }  // namespace
 
 Layout make_layout(const Body& body) { return {body.coordinates()}; }
@@ -64,6 +75,7 @@ double calc_surely_linear(const Body& body, double range) {
   if (body.rigid()) return std::numeric_limits<double>::infinity();
   assert(range >= 0.0);
   if (const Solid* solid = body.solid()) return calc_surely_linear(*solid, range);
+  if (body.flexible()->is_nonlinear()) return calc_surely_linear(*body.flexible(), range);
   const double l = body.flexible()->length() / body.flexible()->elements;
   return range * range / std::max(1.0, 0.5 + l * l / 32.0);
 }

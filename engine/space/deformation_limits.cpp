@@ -23,9 +23,27 @@ Twist node_values(const FlexibleBody& body, int node, const double* q) {
   return values;
 }
 
+/// Returns the largest deflection of an element's outer node from the section of its inner one, by
+/// the element's length.
+double find_largest_bending(const FlexibleBody& body, const double* q) {
+  double largest = 0.0;
+  Twist before = node_values(body, 0, q);
+  for (int node = 1; node < body.node_count(); ++node) {
+    const BeamElement& element = body.beam[static_cast<std::size_t>(node - 1)];
+    const Twist after = node_values(body, node, q);
+    const Position moved =
+        linear(after) - linear(before) - cross(Position(angular(before)), element.chord);
+    const Position axis = element.axes.col(0);
+    largest = std::max(largest, Position(moved - axis.dot(moved) * axis).norm() / element.length);
+    before = after;
+  }
+  return largest;
+}
+
 }  // namespace
 
 double find_largest_deflection(const FlexibleBody& body, const double* q) noexcept {
+  if (body.is_nonlinear()) return find_largest_bending(body, q);
   double largest = 0.0;
   Twist before = node_values(body, 0, q);
   for (int node = 1; node < body.node_count(); ++node) {

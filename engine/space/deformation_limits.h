@@ -8,7 +8,8 @@
 namespace spoke::space {
 
 /// Returns the largest deflection across the body's axis at its nodes and in the middle between
-/// them, by its length.
+/// them, by its length. With strains of second order, which are linear in each element's own axes:
+/// the largest deflection of an element, by the element's length.
 double find_largest_deflection(const FlexibleBody& body, const double* q) noexcept;
 
 /// A deformation coordinate that has left its limits.

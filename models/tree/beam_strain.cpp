@@ -12,6 +12,8 @@ namespace {
 /// torsional frequencies are then off by some thousandths at most.
 constexpr double kMostOffset = 0.1;
 
+constexpr const char* kNoDrive = "no drive turns the hub";
+
 /// Returns whether a drive turns a hub; one that coasts from rest does not.
 bool turns_hub(const Hub& hub) {
   if (hub.support == HubSupport::free || std::holds_alternative<FixedDrive>(hub.drive))
@@ -20,25 +22,31 @@ bool turns_hub(const Hub& hub) {
   return !coasting || coasting->initial_speed != 0.0;
 }
 
-const TreeBody* find_moving(const Tree& tree) {
-  const auto at = std::find_if(tree.bodies.begin(), tree.bodies.end(), [](const TreeBody& body) {
-    return !body.is_hub && count_coordinates(body.joint.kind) > 0;
-  });
-  return at == tree.bodies.end() ? nullptr : &*at;
+std::string name_or(const std::string& kind, const std::string& name) {
+  return name.empty() ? "a " + kind : kind + ' ' + name;
+}
+
+/// Returns what a joint or a loop does to the bodies of a tree.
+template <class TreeJoint>
+std::string find_cause(const std::vector<TreeJoint>& joints, const std::vector<Loop>& loops) {
+  for (const TreeJoint& at : joints)
+    if (count_coordinates(at.joint.kind) > 0) return name_or("joint", at.joint.name) + " moves it";
+  return loops.empty() ? "" : name_or("loop", loops.front().name) + " pulls at it";
 }
 
 }  // namespace
 
-std::string find_unknown_tension(const Model& model, const Tree& tree) {
-  if (!turns_hub(model.hub)) return "no drive turns the hub";
-  if (std::any_of(tree.bodies.begin(), tree.bodies.end(),
-                  [](const TreeBody& body) { return body.is_hub; }))
-    return "the hub does not turn it";
-  if (const TreeBody* moving = find_moving(tree))
-    return moving->joint.name.empty() ? "the joint of \"" + moving->name + "\" moves it"
-                                      : "joint \"" + moving->joint.name + "\" moves it";
-  if (!tree.loops.empty()) return "loop \"" + tree.loops.front().loop.name + "\" acts on it";
-  return {};
+std::string find_unknown_tension(const Model& model, const Blade& blade) {
+  return turns_hub(model.hub) ? find_cause(blade.joints, blade.loops) : kNoDrive;
+}
+
+std::string find_unknown_tension(const Model& model, const Subsystem& subsystem) {
+  if (is_support(model, subsystem)) return "the hub does not turn it";
+  return turns_hub(model.hub) ? find_joint_or_loop(subsystem) : kNoDrive;
+}
+
+std::string find_joint_or_loop(const Subsystem& subsystem) {
+  return find_cause(subsystem.joints, subsystem.loops);
 }
 
 bool has_axis_beside(const Beam& beam) {
@@ -53,13 +61,11 @@ bool has_axis_beside(const Beam& beam) {
   });
 }
 
-void choose_strains(const Model& model, Tree& tree) {
-  const bool is_unknown = !find_unknown_tension(model, tree).empty();
-  for (Beam& beam : tree.beams) {
-    if (beam.strain != BeamStrain::automatic) continue;
-    const bool is_nonlinear = beam.geometric_stiffening && (is_unknown || has_axis_beside(beam));
-    beam.strain = is_nonlinear ? BeamStrain::nonlinear : BeamStrain::linear;
-  }
+BeamStrain choose_strain(const Beam& beam, const std::string& unknown) {
+  if (beam.strain != BeamStrain::automatic) return beam.strain;
+  const bool is_nonlinear =
+      beam.geometric_stiffening && (!unknown.empty() || has_axis_beside(beam));
+  return is_nonlinear ? BeamStrain::nonlinear : BeamStrain::linear;
 }
 
 }  // namespace spoke::spatial

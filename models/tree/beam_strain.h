@@ -1,24 +1,30 @@
 #pragma once
 
-// Which strains suit the beams of a tree: linear ones know the tension of the undeformed tree alone
+// Which strains suit a beam: linear ones know the tension of the undeformed tree alone
 // (docs/formulation.md, sections 11 and 16).
 
 #include <string>
 
-#include "models/tree/tree.h"
+#include "models/spatial_model.h"
 
 namespace spoke::spatial {
 
-/// Returns what of a tree's tension linear strains do not know, as the end of a sentence: "joint
-/// \"J\" moves it". Empty if they know all: where the drive turns the hub, and the tree is fixed to
-/// it, without joints that move and loops.
-std::string find_unknown_tension(const Model& model, const Tree& tree);
+/// Returns what of the tension in a blade or a subsystem linear strains do not know, as the end of
+/// a sentence: "joint J moves it". Empty if they know all: where the drive turns the hub, and
+/// nothing on it moves by joints or is held by loops.
+std::string find_unknown_tension(const Model& model, const Blade& blade);
+std::string find_unknown_tension(const Model& model, const Subsystem& subsystem);
+
+/// Returns the joint or loop among these, for subsystems on hubs that turn or not; solids know what
+/// the rotation of the hub does.
+std::string find_joint_or_loop(const Subsystem& subsystem);
 
 /// Returns whether the centres of mass or tension of a beam's sections lie so far beside its axis
-/// that linear strains take its torsion in rotation for stiffer than it is.
+/// that linear strains make its torsional frequencies in rotation wrong.
 bool has_axis_beside(const Beam& beam);
 
-/// Sets the strain of beams that leave the choice (BeamStrain::automatic).
-void choose_strains(const Model& model, Tree& tree);
+/// Returns the strain of a beam: its own, or where that leaves the choice (BeamStrain::automatic)
+/// the one that suits it. `unknown`: what find_unknown_tension() says.
+BeamStrain choose_strain(const Beam& beam, const std::string& unknown);
 
 }  // namespace spoke::spatial

@@ -170,8 +170,9 @@ Tree build_tree(const Blade& blade, const Model& model, std::size_t number) {
       rotation_of(blade.azimuth * Vector::UnitZ()) * rotation_of(-blade.precone * Vector::UnitY());
   const Placement root =
       rotor_placement(model.hub) * Placement{turned * (model.hub.radius * Vector::UnitX()), turned};
-  add_beam(tree, blade.beam, "", {{}, root, {}}, blade.joints,
-           loop_stations(blade.loops, "", blade.beam));
+  Beam beam = blade.beam;
+  beam.strain = choose_strain(beam, find_unknown_tension(model, blade));
+  add_beam(tree, beam, "", {{}, root, {}}, blade.joints, loop_stations(blade.loops, "", beam));
   if (tree.bodies.size() == 1) tree.bodies[0].name = "body 1";
   LoopBuilder builder(model.anchors, rotation_of(blade.azimuth * model.hub.axis.normalized()),
                       tree);
@@ -209,6 +210,7 @@ class SubsystemBuilder {
         model_(model),
         support_(is_support(model, subsystem) ? &*model.support : nullptr),
         base_(support_ ? base_name(support_->from) : "hub"),
+        unknown_tension_(find_unknown_tension(model, subsystem)),
         solids_(solids),
         turn_(rotation_of(subsystem.azimuth * model.hub.axis.normalized())) {
     tree_.name = subsystem.name;
@@ -286,7 +288,9 @@ class SubsystemBuilder {
         places.push_back(station);
       if (support_ && support_->axle.body == child.name)
         places.push_back(support_->axle.station.value_or(beam->length));
-      add_beam(tree_, *beam, child.name, {parent, placement, joint.joint}, {}, places);
+      Beam chosen = *beam;
+      chosen.strain = choose_strain(*beam, unknown_tension_);
+      add_beam(tree_, chosen, child.name, {parent, placement, joint.joint}, {}, places);
     } else if (const auto* solid = std::get_if<SolidBody>(&child.shape)) {
       add_body(tree_, child.name, solids_.of(*solid), parent, placement, joint.joint);
     } else {
@@ -313,6 +317,7 @@ class SubsystemBuilder {
   const Model& model_;
   const Support* support_;  ///< whose tree this is, or null
   std::string base_;        ///< name of what carries the tree
+  std::string unknown_tension_;
   const SolidParts& solids_;
   Tensor turn_;  ///< turns by the azimuth, in the hub's frame
   /// Joints by the name of their parent.
@@ -341,7 +346,6 @@ std::vector<Tree> build_trees(const Model& model) {
     const bool is_blade = i < model.blades.size();
     trees[i].key = is_blade ? "blades." + std::to_string(i + 1)
                             : key_of_subsystem(model, i - model.blades.size());
-    choose_strains(model, trees[i]);
   }
   return trees;
 }

@@ -85,12 +85,14 @@ Scenario make_space(const std::string& frame) {
                         "space.toml");
 }
 
-/// A beam that moments at its ends bend to a full circle, of 8 bodies.
-Scenario make_circle(bool is_spatial, const std::string& more = "") {
+/// A beam that moments at its ends bend to a full circle, of 8 bodies; in space with these strains.
+Scenario make_circle(bool is_spatial, const std::string& more = "",
+                     const std::string& beam = "elements = 1\nstrain = \"linear\"\n") {
   const std::string moment = std::to_string(2.0 * std::numbers::pi);
   const std::string begin = std::string(is_spatial ? "world = \"space\"\n" : "") +
                             "[hub.drive]\nkind = \"fixed\"\n"
-                            "[[blades]]\nlength = 1.0\nbodies = 8\nelements = 1\nazimuth = 0.0\n";
+                            "[[blades]]\nlength = 1.0\nbodies = 8\nazimuth = 0.0\n" +
+                            (is_spatial ? beam : "elements = 1\n");
   if (!is_spatial)
     return parse_scenario(begin +
                               "density = 1.0\narea = 1.0\nsecond_moment = 1e-8\n"
@@ -143,6 +145,20 @@ TEST_CASE("equilibrium: a circle of bodies that bend by an eighth of it is right
     CHECK(solve_equilibrium(make_circle(is_spatial, wide)).warnings.empty());
     CHECK(solve_equilibrium(make_circle(is_spatial, none)).warnings.empty());
   }
+}
+
+TEST_CASE("equilibrium: with nonlinear strains the deflection of elements is warned of") {
+  const EquilibriumResult one = solve_equilibrium(make_circle(true, "", "elements = 1\n"));
+  REQUIRE(one.warnings.size() == 1);
+  CHECK(one.warnings[0].text.find("of the length of an element, more than 10 %") !=
+        std::string::npos);
+  // An element that bends by 1/32 of a circle leaves its axis by (1 - cos)/(angle).
+  const EquilibriumResult four = solve_equilibrium(make_circle(true, "", "elements = 4\n"));
+  CHECK(four.warnings.empty());
+  const double angle = std::numbers::pi / 16.0;
+  for (const double ratio : four.blades.at(0).bending)
+    CHECK(ratio == doctest::Approx((1.0 - std::cos(angle)) / angle).epsilon(5e-3));
+  CHECK((four.blades[0].nodes.back() - four.blades[0].nodes.front()).norm() < 1e-5);
 }
 
 }  // namespace spoke
