@@ -172,8 +172,9 @@ void set_pair(const FlexibleBody& body, std::size_t a, std::size_t b, ElasticBlo
                                                          Z_from(body, block, b, from));
 }
 
-void set_block(const FlexibleBody& body, const BlockFactors& factors, const BlockTridiagonal* added,
-               const ImplicitShift* shift, ElasticBlock& block) {
+[[gnu::always_inline]] inline void set_block(const FlexibleBody& body, const BlockFactors& factors,
+                                             const BlockTridiagonal* added,
+                                             const ImplicitShift* shift, ElasticBlock& block) {
   assert(std::cmp_equal(body.M.nodes(), body.node_count()) && body.K.nodes() == body.M.nodes());
   assert(!added || added->nodes() == body.node_count());
   assert(block.Z.size() == body.handles.size() && block.below.size() == block.inverse.size());
