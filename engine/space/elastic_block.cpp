@@ -34,17 +34,22 @@ using NodeRows = Eigen::Matrix<double, kTwist, kColumns, Eigen::RowMajor>;
 template <int kColumns>
 using NodeMap = Eigen::Map<NodeRows<kColumns>>;
 
-/// Returns the inverse of the Cholesky factor of a block.
-TwistBlock invert_factor(const TwistBlock& block) {
-  const TwistBlock L = Eigen::LLT<TwistBlock>(block).matrixL();
-  return L.triangularView<Eigen::Lower>().solve(TwistBlock::Identity());
+/// Sets the inverse of the Cholesky factor of a block. Returns whether the block is positive
+/// definite; one that is no number, of a simulation that diverges, passes.
+bool invert_factor(const TwistBlock& block, TwistBlock& inverse) {
+  const Eigen::LLT<TwistBlock> cholesky(block);
+  if (cholesky.info() != Eigen::Success) return false;
+  const TwistBlock L = cholesky.matrixL();
+  inverse = L.triangularView<Eigen::Lower>().solve(TwistBlock::Identity());
+  return true;
 }
 
 /// The same for bodies whose factor changes each step: elimination of `block` below a column
 /// eliminates the identity, too, and each pivot scales its row of it.
-[[gnu::always_inline]] inline TwistBlock invert_factor_quickly(TwistBlock block) {
-  TwistBlock inverse = TwistBlock::Identity();
+[[gnu::always_inline]] inline bool invert_factor_quickly(TwistBlock block, TwistBlock& inverse) {
+  inverse.setIdentity();
   for (int k = 0; k < kTwist; ++k) {
+    if (block(k, k) <= 0.0) return false;
     const double by_pivot = 1.0 / block(k, k), scale = std::sqrt(by_pivot);
     for (int i = k + 1; i < kTwist; ++i) {
       const double factor = block(i, k) * by_pivot;
@@ -53,11 +58,11 @@ TwistBlock invert_factor(const TwistBlock& block) {
     }
     for (int j = 0; j <= k; ++j) inverse(k, j) *= scale;
   }
-  return inverse;
+  return true;
 }
 
-/// Sets the factors of Mhat + `added`, which may be null.
-[[gnu::always_inline]] inline void factorise(const FlexibleBody& body, const BlockFactors& factors,
+/// Sets the factors of Mhat + `added`, which may be null. Returns whether it is positive definite.
+[[gnu::always_inline]] inline bool factorise(const FlexibleBody& body, const BlockFactors& factors,
                                              const BlockTridiagonal* added, ElasticBlock& block) {
   TwistBlock inverse_before = TwistBlock::Zero();
   const auto sum = [&](std::vector<TwistMatrix> BlockTridiagonal::*part, std::size_t at) {
@@ -74,13 +79,13 @@ TwistBlock invert_factor(const TwistBlock& block) {
     fix_coordinates(body, k, diagonal, below);
     below = below.lazyProduct(inverse_before.transpose()).eval();
     diagonal -= below.lazyProduct(below.transpose());
-    // Tension of a simulation that diverges may be no number.
-    assert(!(diagonal.diagonal().minCoeff() <= 0.0) && "positive definite");
-    inverse_before =
-        body.is_nonlinear() ? invert_factor_quickly(diagonal) : invert_factor(diagonal);
+    const bool is_definite = body.is_nonlinear() ? invert_factor_quickly(diagonal, inverse_before)
+                                                 : invert_factor(diagonal, inverse_before);
+    if (!is_definite) return false;
     Eigen::Map<TwistBlock>(&block.inverse[at * ElasticBlock::kBlock]) = inverse_before;
     Eigen::Map<TwistBlock>(&block.below[at * ElasticBlock::kBlock]) = below;
   }
+  return true;
 }
 
 /// Solves L y = b in place, for columns that are zero before node `from`, whose rows stand at b.
@@ -172,35 +177,35 @@ void set_pair(const FlexibleBody& body, std::size_t a, std::size_t b, ElasticBlo
                                                          Z_from(body, block, b, from));
 }
 
-[[gnu::always_inline]] inline void set_block(const FlexibleBody& body, const BlockFactors& factors,
+[[gnu::always_inline]] inline bool set_block(const FlexibleBody& body, const BlockFactors& factors,
                                              const BlockTridiagonal* added,
                                              const ImplicitShift* shift, ElasticBlock& block) {
   assert(std::cmp_equal(body.M.nodes(), body.node_count()) && body.K.nodes() == body.M.nodes());
   assert(!added || added->nodes() == body.node_count());
   assert(block.Z.size() == body.handles.size() && block.below.size() == block.inverse.size());
-  factorise(body, factors, added, block);
+  if (!factorise(body, factors, added, block)) return false;
   set_momentum(body, shift, block);
   for (std::size_t b = 0; b < body.handles.size(); ++b) {
     set_handle(body, b, block);
     for (std::size_t a = 0; a < b; ++a) set_pair(body, a, b, block);
   }
+  return true;
 }
 
 }  // namespace
 
 ElasticBlock make_elastic_block(const FlexibleBody& body, const BlockFactors& factors) {
   ElasticBlock block = make_empty_block(body);
-  set_block(body, factors, nullptr, nullptr, block);
+  [[maybe_unused]] const bool is_set = set_block(body, factors, nullptr, nullptr, block);
+  assert(is_set && "positive definite");
   return block;
 }
 
-void factorise_anew(const FlexibleBody& body, const BlockFactors& factors,
+bool factorise_anew(const FlexibleBody& body, const BlockFactors& factors,
                     const BlockTridiagonal& added, const ImplicitShift* shift,
                     ElasticBlock& block) noexcept {
-  if (shift)
-    run_large_kernel([&] { set_block(body, factors, &added, shift, block); });
-  else
-    set_block(body, factors, &added, shift, block);
+  if (!shift) return set_block(body, factors, &added, nullptr, block);
+  return run_large_kernel([&] { return set_block(body, factors, &added, shift, block); });
 }
 
 }  // namespace spoke::space

@@ -48,10 +48,11 @@ struct ElasticBlock {
 };
 
 ElasticBlock make_elastic_block(const FlexibleBody& body, const BlockFactors& factors);
-/// Makes such a block anew of Mhat + `added`, in its memory. Preconditions: the block is one of the
-/// body's, `added` is symmetric over the body's nodes, and the sum positive definite. `shift`: that
-/// of the block, whose matrix this is in shifted coordinates; null: none.
-void factorise_anew(const FlexibleBody& body, const BlockFactors& factors,
+/// Makes such a block anew of Mhat + `added`, in its memory. Returns whether the sum is positive
+/// definite; if not, the block is not to be used. Preconditions: the block is one of the body's,
+/// and `added` is symmetric over the body's nodes. `shift`: that of the block, whose matrix this is
+/// in shifted coordinates; null: none.
+bool factorise_anew(const FlexibleBody& body, const BlockFactors& factors,
                     const BlockTridiagonal& added, const ImplicitShift* shift,
                     ElasticBlock& block) noexcept;
 

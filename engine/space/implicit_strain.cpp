@@ -34,6 +34,22 @@ void add_product(const BlockTridiagonal& A, const double* x, double* y) {
   }
 }
 
+/// Makes the block at coordinates by node, with `gain` times what the wrenches add to D^T K D: of
+/// a pressure, too, as far as it softens both the body and its frame. Returns whether the block is
+/// positive definite.
+bool set_block(const FlexibleBody& body, const double* q, double gain, ImplicitStrain& strain) {
+  clear(strain);
+  add_tangents(body, strain.factors, gain, q, strain.wrenches.data(), strain.added);
+  for (int e = 0; e < body.elements; ++e) {
+    const auto at = static_cast<std::size_t>(e);
+    const BeamElement& element = body.beam[at];
+    const double tension = element.axes.col(0).dot(linear(strain.wrenches[at]));
+    const Matrix4 K = gain * tension * element.stiffening.bending[0];
+    add_lean(element, e, K, body.is_straight, strain.lean, strain.turn);
+  }
+  return factorise_anew(body, {}, strain.added, &strain.shift, strain.block);
+}
+
 }  // namespace
 
 ImplicitStrain make_implicit_strain(const FlexibleBody& body, const BlockFactors& factors,
@@ -62,19 +78,10 @@ void follow_strain(const FlexibleBody& body, const double* q, const BodyWork& wo
                    ImplicitStrain& strain) noexcept {
   assert(std::cmp_equal(strain.wrenches.size(), body.elements));
   expand(body, q, work.nodal[0]);
-  clear(strain);
-  add_tangents(body, strain.factors, strain.gain, work.nodal[0], strain.wrenches.data(),
-               strain.added);
-  for (int e = 0; e < body.elements; ++e) {
-    const BeamElement& element = body.beam[static_cast<std::size_t>(e)];
-    const double tension =
-        element.axes.col(0).dot(linear(strain.wrenches[static_cast<std::size_t>(e)]));
-    if (!(tension > 0.0)) continue;
-    const Matrix4 K = strain.gain * tension * element.stiffening.bending[0];
-    add_lean(element, e, K, body.is_straight, strain.lean, strain.turn);
-  }
   set_shift(body, work.nodal[0], strain.shift);
-  factorise_anew(body, {}, strain.added, &strain.shift, strain.block);
+  // A body on its way to buckle, in a step as long as that takes.
+  if (!set_block(body, work.nodal[0], strain.gain, strain))
+    set_block(body, work.nodal[0], 0.0, strain);
 }
 
 void add_implicit_strain(const FlexibleBody& body, const ImplicitStrain& strain, const double* a,

@@ -138,7 +138,9 @@ void follow_speed(const FlexibleBody& body, const TensionPlace& place, const Ang
   if (speed == tension.w) return;
   tension.w = speed;
   set_matrices(body, place, tension);
-  factorise_anew(body, tension.factors, tension.stiffness, nullptr, tension.block);
+  [[maybe_unused]] const bool is_made =
+      factorise_anew(body, tension.factors, tension.stiffness, nullptr, tension.block);
+  assert(is_made && "positive definite: pressure is left out");
 }
 
 void add_lean(const BeamElement& element, int e, const Matrix4& bending, bool is_straight,

@@ -200,6 +200,12 @@ Eigen::Matrix<double, kBothNodes, 1> gradient(const BeamElement& element, bool i
   return -force;
 }
 
+/// Returns the direction from the inner to the outer node of an element as they stand.
+Position chord_direction(const BeamElement& element, const double* q) {
+  return (element.chord + Eigen::Map<const Position>(q + kTwist) - Eigen::Map<const Position>(q))
+      .normalized();
+}
+
 /// Returns D of an element with the shift, over the nodes of its neighbours, too; `first`: the
 /// first of these.
 Eigen::MatrixXd map_with_shift(const FlexibleBody& body, int e, const ElementStrain& strain,
@@ -286,7 +292,10 @@ void set_shift(const FlexibleBody& body, const double* q, ImplicitShift& shift) 
     if (std::find(body.handles.begin(), body.handles.end(), k) != body.handles.end()) continue;
     const BeamElement& inner = body.beam[static_cast<std::size_t>(k - 1)];
     const BeamElement& outer = body.beam[static_cast<std::size_t>(k)];
-    node.axis = (inner.axes.col(0) + outer.axes.col(0)).normalized();
+    // Stretches both elements by as much as psi does, however far they are turned.
+    const Position a = chord_direction(inner, q + kTwist * (k - 1));
+    const Position b = chord_direction(outer, q + kTwist * k);
+    node.axis = (a + b) / (1.0 + a.dot(b));
     const ShiftWeights w = shift_weights(body, k);
     Eigen::Map<Eigen::Matrix<double, 3 * kTwist, 1>> slope(node.gradient.data());
     slope.head<kBothNodes>() = w.inboard * gradient(inner, body.is_straight, q + kTwist * (k - 1));
@@ -294,14 +303,14 @@ void set_shift(const FlexibleBody& body, const double* q, ImplicitShift& shift) 
     for (int i = 0; i < 3 * kTwist; ++i)
       if (body.coordinate(k - 1 + i / kTwist, i % kTwist) < 0) slope[i] = 0.0;
   }
-  if (body.is_straight) return;
-  // Of a bent body: what psi has of places along the axis is left out.
+  // What psi has of places along these directions, which is little, is left out.
   for (int k = 1; k < body.elements; ++k)
     for (int j = k - 1; j <= k + 1; ++j) {
-      const Position axis = shift.nodes[static_cast<std::size_t>(j)].axis;
+      const Position& axis = shift.nodes[static_cast<std::size_t>(j)].axis;
+      if (axis.isZero(0.0)) continue;
       Eigen::Map<Position> place(shift.nodes[static_cast<std::size_t>(k)].gradient.data() +
                                  kTwist * (j - k + 1));
-      place -= axis.dot(place) * axis;
+      place -= axis.dot(place) / axis.squaredNorm() * axis;
     }
 }
 
