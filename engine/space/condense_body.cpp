@@ -119,8 +119,9 @@ template <bool kIsDecoupled>
 void calc_handle_response(const FlexibleBody& body, const ElasticBlock& block, std::size_t h,
                           const BodyWork& work, Lanes (&response)[kTwist]) {
   const double* Z = block.Z[h].data();
-  const double* y = work.half + kNodeRows * body.handles[h];
-  for (int k = body.handles[h]; k < body.node_count(); ++k, y += kNodeRows)
+  const int first = first_of_handle(body, h);
+  const double* y = work.half + kNodeRows * first;
+  for (int k = first; k < body.node_count(); ++k, y += kNodeRows)
     unroll<kTwist>([&](auto row) {
       constexpr int i = row;
       const Lanes lanes = Lanes::from(y + 4 * i);
@@ -258,7 +259,7 @@ void add_wrench(const FlexibleBody& body, const ElasticBlock& block, std::size_t
                 double* b) {
   const double* Z = block.Z[h].data();
   const int end = kTwist * body.node_count();
-  for (int node = kTwist * body.handles[h]; node < end; node += kTwist)
+  for (int node = kTwist * first_of_handle(body, h); node < end; node += kTwist)
     unroll<kTwist>([&](auto row) {
       constexpr int i = row;
       double sum = 0.0;

@@ -130,9 +130,11 @@ ElasticBlock make_empty_block(const FlexibleBody& body) {
   block.below.assign(nodes * ElasticBlock::kBlock, 0.0);
   block.W_t.assign(nodes * 3 * kTwist, 0.0);
   const std::size_t handles = body.handles.size();
-  for (const int node : body.handles)
-    block.Z.emplace_back(
-        is_fixed(body, node) ? 0 : (nodes - static_cast<std::size_t>(node)) * ElasticBlock::kBlock);
+  for (std::size_t h = 0; h < handles; ++h)
+    block.Z.emplace_back(is_fixed(body, body.handles[h])
+                             ? 0
+                             : (nodes - static_cast<std::size_t>(first_of_handle(body, h))) *
+                                   ElasticBlock::kBlock);
   block.Z_W.assign(handles, NodeMomentum::Zero());
   block.Z_diagonal.assign(handles, SymmetricTwistMatrix::from_matrix(TwistMatrix::Zero()));
   block.Z_pairs.assign(handles * (handles - 1) / 2, TwistMatrix::Zero());
@@ -143,7 +145,7 @@ ElasticBlock make_empty_block(const FlexibleBody& body) {
 
 double* W_t_from(ElasticBlock& block, int from) { return block.W_t.data() + 3 * kTwist * from; }
 const double* Z_from(const FlexibleBody& body, const ElasticBlock& block, std::size_t h, int from) {
-  return block.Z[h].data() + ElasticBlock::kBlock * (from - body.handles[h]);
+  return block.Z[h].data() + ElasticBlock::kBlock * (from - first_of_handle(body, h));
 }
 
 void set_momentum(const FlexibleBody& body, const ImplicitShift* shift, ElasticBlock& block) {
@@ -156,21 +158,24 @@ void set_momentum(const FlexibleBody& body, const ImplicitShift* shift, ElasticB
 }
 
 /// Sets the solutions of handle h alone; they stay zero where the frame fixes the handle's node.
-void set_handle(const FlexibleBody& body, std::size_t h, ElasticBlock& block) {
+void set_handle(const FlexibleBody& body, std::size_t h, const ImplicitShift* shift,
+                ElasticBlock& block) {
   std::vector<double>& Z = block.Z[h];
   if (Z.empty()) return;
-  const int node = body.handles[h];
+  const int node = body.handles[h], first = first_of_handle(body, h);
   std::fill(Z.begin(), Z.end(), 0.0);
-  NodeMap<kTwist>(Z.data()).setIdentity();
-  solve_half<kTwist>(body, block, node, Z.data());
-  block.Z_W[h] = multiply_columns<kTwist, 3>(body, node, Z.data(), W_t_from(block, node));
+  NodeMap<kTwist>(Z.data() + ElasticBlock::kBlock * (node - first)).setIdentity();
+  if (shift && node > 0 && node < body.elements)
+    shift->apply_transposed<kTwist>(node, first, Z.data());
+  solve_half<kTwist>(body, block, first, Z.data());
+  block.Z_W[h] = multiply_columns<kTwist, 3>(body, first, Z.data(), W_t_from(block, first));
   block.Z_diagonal[h] = SymmetricTwistMatrix::from_matrix(
-      multiply_columns<kTwist, kTwist>(body, node, Z.data(), Z.data()));
+      multiply_columns<kTwist, kTwist>(body, first, Z.data(), Z.data()));
 }
 
 void set_pair(const FlexibleBody& body, std::size_t a, std::size_t b, ElasticBlock& block) {
   if (block.Z[a].empty() || block.Z[b].empty()) return;
-  const int from = std::max(body.handles[a], body.handles[b]);
+  const int from = std::max(first_of_handle(body, a), first_of_handle(body, b));
   const auto pair = static_cast<std::size_t>(
       tree::MultiPort<Space>::count_pairs(static_cast<int>(b)) + static_cast<int>(a));
   block.Z_pairs[pair] = multiply_columns<kTwist, kTwist>(body, from, Z_from(body, block, a, from),
@@ -186,13 +191,19 @@ void set_pair(const FlexibleBody& body, std::size_t a, std::size_t b, ElasticBlo
   if (!factorise(body, factors, added, block)) return false;
   set_momentum(body, shift, block);
   for (std::size_t b = 0; b < body.handles.size(); ++b) {
-    set_handle(body, b, block);
+    set_handle(body, b, shift, block);
     for (std::size_t a = 0; a < b; ++a) set_pair(body, a, b, block);
   }
   return true;
 }
 
 }  // namespace
+
+int first_of_handle(const FlexibleBody& body, std::size_t handle) {
+  const int node = body.handles[handle];
+  const bool is_shifted = body.is_nonlinear() && node < body.elements;
+  return is_shifted ? std::max(node - 1, std::min(node, body.first_node())) : node;
+}
 
 ElasticBlock make_elastic_block(const FlexibleBody& body, const BlockFactors& factors) {
   ElasticBlock block = make_empty_block(body);

@@ -32,8 +32,8 @@ struct ElasticBlock {
 
   std::vector<double> W_t;        ///< L^-1 C_t^T: 3 columns, row by row
   Matrix3 C_W = Matrix3::Zero();  ///< C_t Mhat^-1 C_t^T [kg]
-  /// By handle: L^-1 E^T for the six coordinates of its node, row by row, from that node on. Empty
-  /// if the frame fixes all of them.
+  /// By handle: L^-1 E^T for the six coordinates of its node, row by row, from first_of_handle()
+  /// on. Empty if the frame fixes all of them.
   std::vector<std::vector<double>> Z;
   std::vector<NodeMomentum> Z_W;  ///< by handle: E Mhat^-1 C_t^T
   // Products E_a Mhat^-1 E_b^T, in the order of MultiPort.
@@ -46,6 +46,10 @@ struct ElasticBlock {
  private:
   static std::size_t at(int node) { return static_cast<std::size_t>(node) * kBlock; }
 };
+
+/// Returns the node from which on the solutions of a handle stand: its own, or where strains of
+/// second order shift nodes between others (implicit_shift.h), the one before.
+int first_of_handle(const FlexibleBody& body, std::size_t handle);
 
 ElasticBlock make_elastic_block(const FlexibleBody& body, const BlockFactors& factors);
 /// Makes such a block anew of Mhat + `added`, in its memory. Returns whether the sum is positive

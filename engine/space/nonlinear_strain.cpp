@@ -289,7 +289,6 @@ void set_shift(const FlexibleBody& body, const double* q, ImplicitShift& shift) 
   for (int k = 1; k < body.elements; ++k) {
     ImplicitShift::Node& node = shift.nodes[static_cast<std::size_t>(k)];
     node = {};
-    if (std::find(body.handles.begin(), body.handles.end(), k) != body.handles.end()) continue;
     const BeamElement& inner = body.beam[static_cast<std::size_t>(k - 1)];
     const BeamElement& outer = body.beam[static_cast<std::size_t>(k)];
     // Stretches both elements by as much as psi does, however far they are turned.
