@@ -50,6 +50,12 @@ DriveMotion calc_up_and_down(const SpinUpHoldSpinDown& drive, double t) {
 
 }  // namespace
 
+bool turns_hub(const Drive& drive) {
+  if (std::holds_alternative<FixedDrive>(drive)) return false;
+  const auto* coasting = std::get_if<FreeDrive>(&drive);
+  return !coasting || coasting->initial_speed != 0.0;
+}
+
 bool prescribes_motion(const Drive& drive) {
   return !std::holds_alternative<TorqueDrive>(drive) &&
          !std::holds_alternative<TorqueBySpeed>(drive) && !std::holds_alternative<FreeDrive>(drive);

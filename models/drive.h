@@ -69,6 +69,9 @@ struct DriveMotion {
   double acceleration = 0.0;  ///< [rad/s^2]
 };
 
+/// Returns whether a drive turns the hub; a free one does that was turning at the start.
+SPOKE_EXPORT bool turns_hub(const Drive& drive);
+
 /// Returns whether the drive prescribes the hub's rotation (else the rotation is solved for).
 SPOKE_EXPORT bool prescribes_motion(const Drive& drive);
 

@@ -22,6 +22,20 @@ enum class ReferenceFrame {
   chord,    ///< frame at the inboard node, through the outboard node: u_0 = v_0 = v_E = 0
 };
 
+/// How the strains of a beam follow from the displacements of its nodes.
+enum class BeamStrain {
+  /// nonlinear, but for what linear strains are made for: beams on a hub that its drive turns, in a
+  /// tree without moving joints and loops, with their centres at the axis
+  /// (docs/formulation.md, section 16). Linear ones take less time.
+  automatic,
+  /// Linear; what rotation, gravity and loads add by tension is that of the undeformed tree
+  /// (geometric_stiffening).
+  linear,
+  /// To second order, whatever loads the beam: tension, bending moments and torque act on its
+  /// deformed shape.
+  nonlinear,
+};
+
 /// Properties of a blade from root to tip: values at stations, linear between them. Each array has
 /// as many values as there are stations.
 struct BladeSections {
@@ -56,6 +70,7 @@ struct Blade {
   double youngs_modulus = 0.0;  ///< [Pa]
   /// Whether rotation stiffens the bending within a body.
   bool geometric_stiffening = true;
+  BeamStrain strain = BeamStrain::automatic;
   /// Reference frame of each of its bodies.
   ReferenceFrame reference_frame = ReferenceFrame::clamped;
   double azimuth = 0.0;  ///< direction of the undeformed blade in the hub frame [rad]

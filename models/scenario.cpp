@@ -45,6 +45,11 @@ std::string_view name_of(ReferenceFrame frame) {
   return frame == ReferenceFrame::chord ? "chord" : "clamped";
 }
 
+std::string_view name_of(BeamStrain strain) {
+  if (strain == BeamStrain::automatic) return "automatic";
+  return strain == BeamStrain::nonlinear ? "nonlinear" : "linear";
+}
+
 std::string_view name_of(DragFrame frame) { return frame == DragFrame::hub ? "hub" : "inertial"; }
 
 std::string_view name_of(LoadFrame frame) {

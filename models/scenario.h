@@ -141,6 +141,8 @@ SPOKE_EXPORT std::string_view name_of(InitialState state);
 SPOKE_EXPORT std::string_view name_of(HubSupport support);
 /// Returns "clamped" or "chord".
 SPOKE_EXPORT std::string_view name_of(ReferenceFrame frame);
+/// Returns "automatic", "linear" or "nonlinear".
+SPOKE_EXPORT std::string_view name_of(BeamStrain strain);
 /// Returns "inertial", "hub" or "section".
 SPOKE_EXPORT std::string_view name_of(LoadFrame frame);
 /// Returns "inertial" or "hub".

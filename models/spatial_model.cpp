@@ -97,11 +97,6 @@ void suspend(const Suspension& suspension, Model& model) {
   model.support->axle.body = "carrier";
 }
 
-std::string_view name_of(BeamStrain strain) {
-  if (strain == BeamStrain::automatic) return "automatic";
-  return strain == BeamStrain::nonlinear ? "nonlinear" : "linear";
-}
-
 std::string_view name_of(SupportBase base) {
   return base == SupportBase::ground ? "ground" : "free";
 }

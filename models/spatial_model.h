@@ -96,19 +96,7 @@ struct PointMass {
   friend bool operator==(const PointMass&, const PointMass&) = default;
 };
 
-/// How the strains of a beam follow from the displacements of its nodes.
-enum class BeamStrain {
-  /// nonlinear, but for what linear strains are made for: beams on a hub that its drive turns, in a
-  /// tree without moving joints and loops, with their centres at the axis
-  /// (docs/formulation.md, section 16). Linear ones take less time.
-  automatic,
-  /// Linear; what rotation, gravity and loads add by tension is that of the undeformed tree
-  /// (Beam::geometric_stiffening).
-  linear,
-  /// To second order, whatever loads the beam: tension, bending moments and torque act on its
-  /// deformed shape.
-  nonlinear,
-};
+using spoke::BeamStrain;
 
 /// A slender beam, straight or not, cut into flexible bodies.
 struct Beam {
@@ -443,7 +431,6 @@ SPOKE_EXPORT void suspend(const Suspension& suspension, Model& model);
 
 /// Returns the name that scenario files use: "fixed", "revolute", ...
 SPOKE_EXPORT std::string_view name_of(JointKind kind);
-SPOKE_EXPORT std::string_view name_of(BeamStrain strain);
 /// Returns "ground" or "free".
 SPOKE_EXPORT std::string_view name_of(SupportBase base);
 /// Returns "inertial", "hub", "body" or "section".

@@ -13,6 +13,7 @@ namespace spoke {
 ///   Condensed       what the formulation `structured` keeps of it
 ///   HandleWrenches  wrenches on its handles
 ///   JointMotion     motion of the joint that carries it; its member R is R_PB
+///   ImplicitStrain  strains of second order in implicit steps
 ///   HubStiffening   what its geometric stiffening adds to the hub's equation
 ///   Attitude        what the hub's orientation has besides its coordinates
 ///   CarriedInertia    what the hub of a rotor on a support carries

@@ -58,12 +58,11 @@ Memory memory_of_terms(BodyData<Space>& body);
 inline Memory memory_of_scratch(BodyData<Plane>&) { return {}; }
 Memory memory_of_scratch(BodyData<Space>& body);
 
-/// Lists the memory of the tension of rotation on the left-hand side of implicit steps; empty
-/// without.
-/// Memory of the wrenches of elements at the state at which a step begins (space).
-inline Memory memory_of_wrenches_at_start(BodyData<Plane>&) { return {}; }
+/// Lists the memory of the wrenches of elements at the state at which a step begins.
+Memory memory_of_wrenches_at_start(BodyData<Plane>& body);
 Memory memory_of_wrenches_at_start(BodyData<Space>& body);
-inline Memory memory_of_tension(BodyData<Plane>&) { return {}; }
+/// Lists the memory of the tension on the left-hand side of implicit steps; empty without.
+Memory memory_of_tension(BodyData<Plane>& body);
 Memory memory_of_tension(BodyData<Space>& body);
 
 /// Memory of a solid in nodal coordinates, by slice; empty for other bodies.

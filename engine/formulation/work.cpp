@@ -26,12 +26,13 @@ space::Block make_block(const space::Body& body, const ElasticShares& shares) {
 }
 
 /// Returns the dense Mhat of a body.
+// The stiffness of strains of second order changes, and is added in every step.
 Eigen::MatrixXd make_dense_block(const plane::FlexibleBody& body, const ElasticShares& shares) {
+  if (body.is_nonlinear()) return make_dense_elastic_block(body, 1.0, 0.0);
   return make_dense_elastic_block(body, shares.mass_factor, shares.stiffness_factor,
                                   shares.damping_factor);
 }
 Eigen::MatrixXd make_dense_block(const space::Body& body, const ElasticShares& shares) {
-  // The stiffness of strains of second order changes, and is added in every step.
   const space::FlexibleBody* flexible = body.flexible();
   if (flexible && flexible->is_nonlinear()) return make_dense_elastic_block(body, {});
   return make_dense_elastic_block(body, factors_of(shares));
@@ -93,9 +94,16 @@ void add_tiles(const space::Solid& solid, BodyData<Space>& member, FormulationWo
                           *work.nodal_memory.back(), member.work);
 }
 
-// The tension of implicit steps; the plane has none.
+// The tension of implicit steps; in the plane only that of strains of second order.
 
-void add_tension(const ElasticShares&, BodyData<Plane>&, FormulationWork<Plane>&) {}
+void add_tension(const ElasticShares& implicit, BodyData<Plane>& member,
+                 FormulationWork<Plane>& work) {
+  if (implicit.tension_factor == 0.0 || !has_nonlinear_strain(member)) return;
+  work.strains.push_back(std::make_unique<plane::ImplicitStrain>(plane::make_implicit_strain(
+      *member.model->body,
+      {implicit.stiffness_factor, implicit.damping_factor, implicit.tension_factor})));
+  member.strain = work.strains.back().get();
+}
 void add_tension(const ElasticShares& implicit, BodyData<Space>& member,
                  FormulationWork<Space>& work) {
   if (const space::Solid* solid = member.model->body->solid()) {
@@ -142,7 +150,10 @@ double estimate_constants(const plane::FlexibleBody& body) {
   return 44.0 * sizeof(double) * body.coordinates();
 }
 double estimate_table(const TreeBody<Plane>& member) {
-  return 190.0 * member.body->coordinates() + 3100.0;
+  // Three bands, three pairs of columns.
+  constexpr double kStrain = 3.0 * (plane::NodalBand::kHalf + 1) + 6.0;
+  const double strain = member.body->is_nonlinear() ? sizeof(double) * kStrain : 0.0;
+  return (190.0 + strain) * member.body->coordinates() + 3100.0;
 }
 
 /// Counts the factors of one block.

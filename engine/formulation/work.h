@@ -33,7 +33,7 @@ struct FormulationWork {
   std::map<const typename World::Body*, std::array<typename BodyTypes<World>::Block, 2>> blocks;
   /// Tension in implicit steps of spatial bodies that rotation stiffens.
   std::vector<std::unique_ptr<space::ImplicitTension>> tensions;
-  std::vector<std::unique_ptr<space::ImplicitStrain>> strains;
+  std::vector<std::unique_ptr<typename BodyTypes<World>::ImplicitStrain>> strains;
   /// Stiffening of solids, by what it is made of, which bodies of one kind share: the matrices of
   /// their trees, or the constants of those that stiffen by their own rotation.
   std::map<const void*, space::SolidTensionColumns> solid_tensions;

@@ -57,7 +57,8 @@ void prescribe_joints(const System<Space>& system, double t, std::size_t i,
 /// Sets, in an implicit pass, the angular accelerations of the frames of subsystem `i`, about which
 /// tension on its left-hand side is taken. They follow from those of the coordinates: the ones that
 /// the pass before has found go with the velocities before its correction.
-inline void set_angular_accelerations(const System<Plane>&, std::size_t, StepData<Plane>&) {}
+void set_angular_accelerations(const System<Plane>& system, std::size_t i,
+                               StepData<Plane>& data) noexcept;
 void set_angular_accelerations(const System<Space>& system, std::size_t i,
                                StepData<Space>& data) noexcept;
 

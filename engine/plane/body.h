@@ -8,6 +8,7 @@
 #include "engine/body/coordinate_block.h"
 #include "engine/plane/elastic_block.h"
 #include "engine/plane/flex_layout.h"
+#include "engine/plane/implicit_strain.h"
 #include "engine/plane/section.h"
 #include "models/plane/plane.h"
 
@@ -64,6 +65,7 @@ struct TwoPort {
   Twist p;        ///< condensed rigid-body force [N, N m]
   // Handle accelerations per frame acceleration, deformation following: X_e = J_e - E_e W.
   HandleMap X_o;
+  TwistMatrix X_coupled;  ///< X_o where they do not decouple: of strains of second order
   Twist x_i;  ///< last row of X_i; the others are the identity's, for the frame stands there
   SymmetricTwistMatrix P_ii, P_oo;
   TwistMatrix P_io;
@@ -82,8 +84,11 @@ struct Fields {
   // frame fixes, an offset into the padding, which is zero.
   std::array<int, kTwist> inboard_at{};
   std::array<int, kTwist> outboard_at{};
-  double* c_theta = nullptr;  ///< M_fw = c0 + G^T qf (flex vector)
-  double* Q_f = nullptr;      ///< right-hand side of the deformation (flex vector)
+  double* c_theta = nullptr;         ///< M_fw = c0 + G^T qf (flex vector)
+  double* Q_f = nullptr;             ///< right-hand side of the deformation (flex vector)
+  ImplicitStrain* strain = nullptr;  ///< strains of second order in implicit steps; null: none
+  /// Angular acceleration of the frame in the iterate before; set only with these [rad/s^2].
+  double alpha = 0.0;
 };
 
 /// Memory of the formulation `structured` for a planar body.
@@ -123,6 +128,7 @@ struct BodyTypes<Plane> {
   using HandleWrenches = plane::Wrenches;
   using JointMotion = plane::JointMotion;
   using HubStiffening = plane::HubStiffening;
+  using ImplicitStrain = plane::ImplicitStrain;
   struct Attitude {};
   struct RecordedRotation {};
   struct CarriedInertia {};

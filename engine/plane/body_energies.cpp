@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "engine/plane/band_products.h"
+#include "engine/plane/nonlinear_strain.h"
 
 namespace spoke::plane {
 namespace {
@@ -110,7 +111,9 @@ BodyEnergies calc_body_energies(const BodyData<Plane>& data, const Twist& twist,
                          0.5 * sums.deformation + w * v.dot(quarter_turn(S)) + v.dot(S_rate) +
                          w * sums.rotation_deformation -
                          0.5 * hub_speed * hub_speed * sums.centrifugal_inertia;
-  return {kinetic, 0.5 * sums.elastic, S};
+  const double strain =
+      body.is_nonlinear() ? calc_nonlinear_energy(body, data.layout, data.coordinates.q) : 0.0;
+  return {kinetic, 0.5 * sums.elastic + strain, S};
 }
 
 double calc_strain_energy(const BodyData<Plane>& data) noexcept {

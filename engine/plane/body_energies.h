@@ -9,7 +9,7 @@ namespace spoke::plane {
 /// Energies and first moment of a body at the state in the table, for the sensors.
 struct BodyEnergies {
   double kinetic = 0.0;           ///< stiffening term included [J]
-  double strain = 0.0;            ///< elastic energy 1/2 qf^T K qf [J]
+  double strain = 0.0;            ///< elastic energy [J]
   Position S = Position::Zero();  ///< first moment S0 + S qf [kg m]
 };
 

@@ -7,7 +7,10 @@ namespace spoke {
 using graph::bytes_of;
 
 Memory memory_of_motions(SubsystemData<Plane>& data) {
-  return {bytes_of(data.joints[0], data.joints.size())};
+  Memory memory{bytes_of(data.joints[0], data.joints.size())};
+  for (BodyData<Plane>& body : data.bodies)
+    if (body.strain) memory.push_back(bytes_of(body.alpha));
+  return memory;
 }
 
 Memory memory_of_wrenches(SubsystemData<Plane>& data) {
@@ -20,6 +23,22 @@ Memory memory_of_terms(BodyData<Plane>& body) {
   add_flex(memory, body.Q_f, body.layout);
   if (!body.element_forces.empty())
     memory.push_back(memory_of(body.element_forces.data(), body.element_forces.size()));
+  return memory;
+}
+
+Memory memory_of_wrenches_at_start(BodyData<Plane>& body) {
+  if (!body.strain) return {};
+  return {bytes_of(body.strain->wrenches[0], body.strain->wrenches.size())};
+}
+
+Memory memory_of_tension(BodyData<Plane>& body) {
+  if (!body.strain) return {};
+  plane::ImplicitStrain& strain = *body.strain;
+  Memory memory{bytes_of(strain.turn), bytes_of(strain.S_W)};
+  add_flex(memory, strain.lean.data(), body.layout);
+  for (plane::NodalBand* band : {&strain.added, &strain.factor})
+    memory.push_back(bytes_of(band->values()[0], band->values().size()));
+  for (auto& pair : strain.columns) memory.push_back(bytes_of(pair[0], pair.size()));
   return memory;
 }
 

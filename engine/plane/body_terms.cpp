@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "engine/plane/band_products.h"
+#include "engine/plane/nonlinear_strain.h"
 #include "engine/support/wide_kernels.h"
 
 namespace spoke::plane {
@@ -186,6 +187,11 @@ void calc_terms(const BodyMotion& motion, const Damping& damping, BodyData<Plane
 void calc_body_terms(const BodyMotion& motion, const Damping& damping,
                      BodyData<Plane>& data) noexcept {
   run_kernel([&]() noexcept { calc_terms(motion, damping, data); });
+  // Bands of K are zero then.
+  if (data.model->body->is_nonlinear())
+    data.terms.dissipation +=
+        subtract_strain_forces(*data.model->body, data.layout, damping.stiffness_factor,
+                               data.q_elastic, data.v_elastic, data.Q_f);
 }
 
 }  // namespace spoke::plane

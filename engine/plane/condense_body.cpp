@@ -94,16 +94,16 @@ void calc_compliances(const plane::SymmetricTwistMatrix& S, const plane::HandleM
 
 /// (3) Adds the rotation of a chord frame's inboard handle against it: the last row of X_i and its
 /// consequences.
-void add_inboard_rotation(const plane::ElasticBlock& block, double bias, const Twist& X_free,
+void add_inboard_rotation(double Z_ii, const Twist& Z_io, double bias, const Twist& X_free,
                           plane::TwoPort& port) {
   const Twist& x = port.x_i;
   const Twist S_x = port.S_inverse * x;
   port.P_ii.rx = S_x[0];
   port.P_ii.ry = S_x[1];
-  port.P_ii.rr = x.dot(S_x) + block.Z_ii;
+  port.P_ii.rr = x.dot(S_x) + Z_ii;
   for (int c = 0; c < kTwist; ++c)
     port.P_io(kRotation, c) =
-        x[0] * port.P_io(0, c) + x[1] * port.P_io(1, c) + x[2] * port.P_io(2, c) + block.Z_io[c];
+        x[0] * port.P_io(0, c) + x[1] * port.P_io(1, c) + x[2] * port.P_io(2, c) + Z_io[c];
   port.free_i[kRotation] = x.dot(X_free) + bias;
 }
 
@@ -145,13 +145,96 @@ void condense(const BodyData<Plane>& data, const Twist& twist, bool implicit,
   calc_compliances(S_inverse, port.X_o, block.Z_oo, port);
   port.free_o = multiply(port.X_o, X_free) + calc_outboard_bias(data, twist[kRotation], work);
   if (body.reference_frame == ReferenceFrame::chord)
-    add_inboard_rotation(block, work.z[data.inboard_at[kRotation]], X_free, port);
+    add_inboard_rotation(block.Z_ii, block.Z_io, work.z[data.inboard_at[kRotation]], X_free, port);
+}
+
+/// Products of both solutions of a pass with c_theta and the first moments S.
+struct CoupledProducts {
+  Double2 S_W{}, S_z{};
+  double c_W = 0.0, c_z = 0.0;
+};
+
+/// (1), (2) of a body whose axial and bending responses are coupled.
+CoupledProducts solve_coupled(const BodyData<Plane>& data, BodyWork<Plane>& work) {
+  const plane::ImplicitStrain& strain = *data.strain;
+  const int n = strain.factor.size();
+  Double2* const x = work.scratch;
+  for (int i = 0, at = 0; i < n; ++i) {
+    at = strain.factor.at(i);
+    x[i] = Double2{data.c_theta[at], data.Q_f[at]};
+  }
+  strain.factor.solve(x);
+  CoupledProducts sums;
+  for (int i = 0; i < n; ++i) {
+    const int at = strain.factor.at(i);
+    const Double2 S = strain.S[static_cast<std::size_t>(i)];
+    sums.S_W += S * x[i][0];
+    sums.S_z += S * x[i][1];
+    sums.c_W += data.c_theta[at] * x[i][0];
+    sums.c_z += data.c_theta[at] * x[i][1];
+    work.W_theta[at] = x[i][0];
+    work.z[at] = x[i][1];
+  }
+  return sums;
+}
+
+/// The rows of W and Z at a handle's coordinate; zero if the frame fixes it. Z: of the outboard
+/// wrench, and of the moment on the inboard handle.
+struct CoupledRow {
+  Twist W = Twist::Zero(), Z = Twist::Zero();
+  double Z_inboard = 0.0;
+};
+
+CoupledRow row_at(const BodyData<Plane>& data, const plane::Handle& handle, int component,
+                  const BodyWork<Plane>& work) {
+  const plane::FlexibleBody& body = *data.model->body;
+  const int place = place_by_node(body, handle.node, component);
+  if (place < 0) return {};
+  const auto& [W, Z_linear, Z_angular] = data.strain->columns;
+  const auto i = static_cast<std::size_t>(place);
+  return {{W[i][0], W[i][1], work.W_theta[data.strain->factor.at(place)]},
+          {Z_linear[i][0], Z_linear[i][1], Z_angular[i][0]},
+          Z_angular[i][1]};
+}
+
+/// Condenses a body whose axial and bending responses are coupled, by full matrices.
+void condense_coupled(const BodyData<Plane>& data, const Twist& twist, BodyWork<Plane>& work) {
+  const plane::FlexibleBody& body = *data.model->body;
+  const plane::Terms& terms = data.terms;
+  const CoupledProducts sums = solve_coupled(data, work);
+  const plane::SymmetricTwistMatrix& S_W = data.strain->S_W;
+  plane::TwoPort& port = work.port;
+  port.S_inverse = port.P_ii = invert(plane::SymmetricTwistMatrix{
+      body.mass - S_W.xx, -S_W.yx, body.mass - S_W.yy, -terms.S.y() - sums.S_W[0],
+      terms.S.x() - sums.S_W[1], terms.rotary_inertia - sums.c_W});
+  port.p = terms.Q - Twist(sums.S_z[0], sums.S_z[1], sums.c_z);
+  const Twist X_free = port.S_inverse * port.p;
+  port.free_i = X_free;
+  const Position s = calc_outboard_position(data);
+  TwistMatrix& X_o = port.X_coupled;
+  X_o << 1.0, 0.0, -s.y(), 0.0, 1.0, s.x(), 0.0, 0.0, 1.0;
+  TwistMatrix Z_oo;
+  for (int c = 0; c < kTwist; ++c) {
+    const CoupledRow row = row_at(data, body.outboard, c, work);
+    X_o.row(c) -= row.W.transpose();
+    Z_oo.row(c) = row.Z.transpose();
+  }
+  port.P_io = port.S_inverse.matrix().lazyProduct(X_o.transpose());
+  const TwistMatrix P_oo = Z_oo + X_o.lazyProduct(port.P_io);
+  port.P_oo = {P_oo(0, 0), P_oo(1, 0), P_oo(1, 1), P_oo(2, 0), P_oo(2, 1), P_oo(2, 2)};
+  port.free_o = X_o.lazyProduct(X_free) + calc_outboard_bias(data, twist[kRotation], work);
+  const CoupledRow inboard = row_at(data, body.inboard, kRotation, work);
+  port.x_i = Twist::Unit(kRotation) - inboard.W;
+  if (body.reference_frame == ReferenceFrame::chord)
+    add_inboard_rotation(inboard.Z_inboard, inboard.Z, work.z[data.inboard_at[kRotation]], X_free,
+                         port);
 }
 
 }  // namespace
 
 void condense_body(const BodyData<Plane>& data, const Twist& twist, bool implicit,
                    BodyWork<Plane>& work) noexcept {
+  if (implicit && data.strain) return condense_coupled(data, twist, work);
   run_kernel([&]() noexcept { condense(data, twist, implicit, work); });
 }
 

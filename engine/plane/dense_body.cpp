@@ -32,7 +32,7 @@ Eigen::MatrixXd make_dense_elastic_block(const plane::FlexibleBody& body, double
   return dense;
 }
 
-void calc_dense_mass(const BodyData<Plane>& data, const Eigen::MatrixXd& elastic, bool,
+void calc_dense_mass(const BodyData<Plane>& data, const Eigen::MatrixXd& elastic, bool implicit,
                      Eigen::Ref<Eigen::MatrixXd> mass) {
   assert(mass.rows() == dense_size(*data.model->body) && mass.cols() == mass.rows());
   assert(elastic.rows() == data.model->body->coordinates());
@@ -47,6 +47,7 @@ void calc_dense_mass(const BodyData<Plane>& data, const Eigen::MatrixXd& elastic
   C.row(2) << axial(data.c_theta, data).transpose(), bending(data.c_theta, data).transpose();
   mass.bottomLeftCorner(nf, kTwist) = C.transpose();
   mass.bottomRightCorner(nf, nf) = elastic;
+  if (implicit && data.strain) data.strain->added.add_to(mass.bottomRightCorner(nf, nf));
 }
 
 void calc_dense_force(const BodyData<Plane>& data, Eigen::Ref<Eigen::VectorXd> force) {

@@ -61,6 +61,19 @@ void calc_velocities(const Subsystem<World>& subsystem, SubsystemData<World>& da
   }
 }
 
+void set_angular_accelerations(const System<Plane>&, std::size_t i,
+                               StepData<Plane>& data) noexcept {
+  assert(i < data.subsystems.size());
+  SubsystemData<Plane>& subsystem = data.subsystems[i];
+  double alpha = data.is_coupled ? data.hub_coordinates.a[kRotation]
+                                 : subsystem.prescribed.acceleration[kRotation];
+  for (BodyData<Plane>& body : subsystem.bodies) {
+    alpha -= body.coordinates.a[body.inboard_at[kRotation]];
+    body.alpha = alpha;
+    alpha += body.coordinates.a[body.outboard_at[kRotation]];
+  }
+}
+
 HubState<Plane> calc_hub_state(const StepData<Plane>& data) {
   const CoordinateBlock& hub = data.hub_coordinates;
   HubState<Plane> state;

@@ -56,10 +56,29 @@ void recover(const SubsystemData<Plane>& subsystem, std::size_t j, const BodyWor
                   a_v + i);
 }
 
+/// Recovers a body whose axial and bending responses are coupled.
+void recover_coupled(const plane::Wrenches& wrenches, const BodyWork<Plane>& work,
+                     BodyData<Plane>& data, double* a) {
+  const plane::TwoPort& port = work.port;
+  const Twist &F = wrenches.inboard, &f = wrenches.outboard;
+  const Twist X_i_F = Twist(F[0], F[1], 0.0) + port.x_i * F[kRotation];
+  const Twist X =
+      port.S_inverse * Twist(port.p + X_i_F + port.X_coupled.transpose().lazyProduct(f));
+  data.X = X;
+  const auto& [W, Z_linear, Z_angular] = data.strain->columns;
+  for (std::size_t i = 0; i < W.size(); ++i) {
+    const int at = data.strain->factor.at(static_cast<int>(i));
+    a[at] = work.z[at] - X[kRotation] * work.W_theta[at] +
+            total(Z_linear[i] * Double2{f[0], f[1]} + Z_angular[i] * Double2{f[2], F[2]} -
+                  W[i] * Double2{X[0], X[1]});
+  }
+}
+
 }  // namespace
 
 void recover_body(const SubsystemData<Plane>& subsystem, std::size_t j, const BodyWork<Plane>& work,
                   bool implicit, BodyData<Plane>& data, double* a) noexcept {
+  if (implicit && data.strain) return recover_coupled(subsystem.wrenches[j], work, data, a);
   run_kernel([&]() noexcept { recover(subsystem, j, work, implicit, data, a); });
 }
 

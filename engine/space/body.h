@@ -124,6 +124,7 @@ struct BodyTypes<Space> {
   using Condensed = space::NothingCondensed;
   using HandleWrenches = space::JointWrench;
   using JointMotion = space::JointMotion;
+  using ImplicitStrain = space::ImplicitStrain;
   using HubStiffening = space::HubStiffening;
   using Attitude = space::HubAttitude;
   using RecordedRotation = space::RecordedHub;

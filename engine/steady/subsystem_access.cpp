@@ -10,6 +10,7 @@
 #include "engine/integrator/rotation.h"
 #include "engine/kernels/dense_body.h"
 #include "engine/plane/handle_motion.h"
+#include "engine/plane/nonlinear_strain.h"
 #include "engine/space/dense_body.h"
 #include "engine/space/nonlinear_strain.h"
 #include "engine/space/put_joint.h"
@@ -163,6 +164,8 @@ Eigen::MatrixXd calc_body_mass(const BodyData<Space>& body) {
 }
 
 Eigen::MatrixXd calc_body_stiffness(const BodyData<Plane>& body) {
+  if (has_nonlinear_strain(body))
+    return calc_strain_stiffness(*body.model->body, body.layout, body.q_elastic);
   return make_dense_elastic_block(*body.model->body, 0.0, 1.0);
 }
 namespace {
@@ -185,8 +188,12 @@ Eigen::MatrixXd calc_body_stiffness(const BodyData<Space>& body) {
 }
 
 Eigen::MatrixXd calc_body_damping(const Damping& damping, const BodyData<Plane>& body) {
-  return make_dense_elastic_block(*body.model->body, damping.mass_factor, damping.stiffness_factor,
-                                  1.0);
+  Eigen::MatrixXd own = make_dense_elastic_block(*body.model->body, damping.mass_factor,
+                                                 damping.stiffness_factor, 1.0);
+  if (has_nonlinear_strain(body))
+    own += calc_strain_damping(*body.model->body, body.layout, damping.stiffness_factor,
+                               body.q_elastic);
+  return own;
 }
 Eigen::MatrixXd calc_body_damping(const Damping& damping, const BodyData<Space>& body) {
   if (const auto strain = calc_strain_matrices(damping.stiffness_factor, body))

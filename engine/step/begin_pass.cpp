@@ -39,9 +39,11 @@ void begin_joint(const Method& method, const PassControl& control, BodyData<Spac
   begin_coordinates(method, control, rotation_block(body));
 }
 
-// Wrenches of the state at which a step begins; the plane has none.
+// Wrenches of the state at which a step begins.
 
-void keep_wrenches(BodyData<Plane>&) {}
+void keep_wrenches(BodyData<Plane>& body) {
+  if (body.strain) keep_wrenches(*body.model->body, body.coordinates.q, *body.strain);
+}
 void keep_wrenches(BodyData<Space>& body) {
   if (body.strain) keep_wrenches(*body.model->body->flexible(), body.coordinates.q, *body.strain);
 }

@@ -166,11 +166,11 @@ void add_velocity(const Assembly<World>& g, int i) {
   SubsystemData<World>& data = table.subsystems[i];
   PartList outputs{own.twists}, azimuth;
   if (!data.drag_poses.empty()) outputs.push_back(own.drag_poses);
-  if constexpr (tree::kHasJointCoordinates<World>)
-    outputs.push_back(own.rotations);  // the node sets the joints, too
+  const bool has_tension = needs_angular_accelerations(g, i);
+  if (tree::kHasJointCoordinates<World> || has_tension)
+    outputs.push_back(own.rotations);  // the node sets the joints, and these accelerations
   if constexpr (tree::kHasJointCoordinates<World>)
     if (follows_free_hub(system, subsystem)) azimuth.push_back(g.parts.hub_coordinates);
-  const bool has_tension = needs_angular_accelerations(g, i);
   PartList accelerations;
   if (has_tension) {
     accelerations = own.all(&BodyParts::accelerations);

@@ -20,6 +20,8 @@ RecoveryAccess recovery_access(const Assembly<World>& g, int i, int j) {
   } else {
     inputs.push_back(own.wrenches);
     inputs.push_back(body.inverse);
+    if (g.c.formulation == Formulation::structured)
+      inputs.insert(inputs.end(), body.tension.begin(), body.tension.end());
     if (const int r = find_hub(g, i, j); r >= 0 && g.c.formulation == Formulation::structured)
       inputs.push_back(g.parts.rotors[static_cast<std::size_t>(r)].carried);
   }
@@ -27,7 +29,6 @@ RecoveryAccess recovery_access(const Assembly<World>& g, int i, int j) {
     const TreeBody<World>& model = g.c.system.subsystems[i].bodies[j];
     if (g.c.formulation == Formulation::structured) {
       for (const PartId part : {own.rotations, body.terms, body.scratch}) inputs.push_back(part);
-      inputs.insert(inputs.end(), body.tension.begin(), body.tension.end());
       outputs.push_back(body.scratch);
     }
     if (has_coordinates(model))

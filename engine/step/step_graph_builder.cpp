@@ -113,7 +113,16 @@ PartList terms_inputs(const Assembly<World>& g, int i, int j) {
 
 void calc_mass_terms(const SystemContext<Plane>& c, int i, int j,
                      SubsystemData<Plane>& data) noexcept {
-  calc_terms(c.system, c.system.subsystems[i], data.progress->control.time, j, data);
+  const PassControl& control = data.progress->control;
+  BodyData<Plane>& body = data.bodies[j];
+  if (body.strain && control.begins_iteration())
+    follow_strain(*body.model->body, body.coordinates.q, *body.strain);
+  calc_terms(c.system, c.system.subsystems[i], control.time, j, data);
+  if (!body.strain || !control.is_implicit) return;
+  const plane::FrameShare share =
+      add_implicit_strain(*body.strain, body.coordinates.a, body.alpha, body.c_theta, body.Q_f);
+  body.terms.rotary_inertia += share.inertia;
+  angular(body.terms.Q) += share.moment;
 }
 
 void calc_mass_terms(const SystemContext<Space>& c, int i, int j,

@@ -70,7 +70,9 @@ struct BodyData : BodyTypes<World>::Fields {
 
 /// Whether the strains of a body are of second order: its elastic and damping forces are no linear
 /// function of its coordinates.
-inline bool has_nonlinear_strain(const BodyData<Plane>&) { return false; }
+inline bool has_nonlinear_strain(const BodyData<Plane>& body) {
+  return body.model->body->is_nonlinear();
+}
 inline bool has_nonlinear_strain(const BodyData<Space>& body) {
   const space::FlexibleBody* flexible = body.model->body->flexible();
   return flexible && flexible->is_nonlinear();

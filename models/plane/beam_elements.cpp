@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace spoke::plane {
 namespace {
@@ -250,29 +251,16 @@ FlexibleBody make_empty_body(const BeamProperties& beam) {
   return body;
 }
 
+void move_stiffness_to_elements(const BeamProperties& beam, FlexibleBody& body) {
+  const std::vector<BeamElement> elements = make_beam_elements(beam);
+  for (std::size_t e = 0; std::cmp_less(e, beam.elements); ++e)
+    body.strain_stiffness.push_back(
+        elements[std::min(e, elements.size() - 1)].stiffness.bottomRightCorner<kTwist, kTwist>());
+  body.K_axial = SymmetricBand<1>(body.axial());
+  body.K_bending = SymmetricBand<3>(body.bending());
+}
+
 }  // namespace
-
-int FlexibleBody::coordinate(int node, int component) const {
-  assert(node >= 0 && node <= elements && component >= 0 && component < kTwist);
-  if (component == 0) return node == 0 ? -1 : node - 1;
-  const int psi = component - 1;  // 0: deflection v, 1: rotation psi
-  if (reference_frame == ReferenceFrame::clamped)
-    return node == 0 ? -1 : elements + 2 * (node - 1) + psi;
-  if (node == 0) return psi ? elements : -1;
-  if (node == elements) return psi ? elements + 2 * elements - 1 : -1;
-  return elements + 2 * node - 1 + psi;
-}
-
-void AxialBendingCoupling::transpose() {
-  const int n = static_cast<int>(pairs.size()) / (2 * kHeight);
-  for (int i = 0; i < n; ++i)
-    for (int place = 0; place < kWidth; ++place) {
-      const int column = 2 * i + offset + place;
-      if (column < 0 || column >= 2 * n) continue;
-      const int k = column / 2;
-      pairs[(k * kHeight + (i - k + 2)) * 2 + column % 2] = rows[i * kWidth + place];
-    }
-}
 
 FlexibleBody make_beam_body(const BeamProperties& beam) {
   assert(follow_one_another(beam.pieces, beam.length));
@@ -291,6 +279,7 @@ FlexibleBody make_beam_body(const BeamProperties& beam) {
     add_varying_elements(beam, body);
   }
   body.H.transpose();
+  if (beam.is_nonlinear) move_stiffness_to_elements(beam, body);
   return body;
 }
 

@@ -101,6 +101,7 @@ BeamProperties make_beam_properties(const Blade& blade, int body) {
   beam.axial_stiffness = blade.youngs_modulus * blade.area;
   beam.bending_stiffness = blade.youngs_modulus * blade.second_moment;
   beam.reference_frame = blade.reference_frame;
+  beam.is_nonlinear = blade.strain == BeamStrain::nonlinear;
   beam.masses = find_masses(blade, beam, body);
   if (blade.sections.station.empty() && beam.masses.empty()) return beam;
   beam.pieces = divide(find_linear_pieces(blade, beam, body * beam.length), beam.masses,

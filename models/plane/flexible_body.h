@@ -75,6 +75,9 @@ struct FlexibleBody {
   SymmetricBand<3> M_bending;  ///< bending block of Mff [kg, kg m, kg m^2]
   SymmetricBand<1> K_axial;    ///< elastic stiffness, axial [N/m]
   SymmetricBand<3> K_bending;  ///< elastic stiffness, bending [N/m, N, N m]
+  /// By element, if strains are of second order: the stiffness against displacement and rotation of
+  /// its outer node while the inner one stands. K_axial and K_bending are then zero.
+  std::vector<TwistMatrix> strain_stiffness;
   AxialBendingCoupling H;
   StrainDamping damping;
 
@@ -84,6 +87,7 @@ struct FlexibleBody {
   std::vector<BeamPiece> pieces;
   std::vector<BodyMass> masses;
 
+  bool is_nonlinear() const { return !strain_stiffness.empty(); }
   int axial() const { return elements; }
   /// Returns the length of the axial vectors: E, made even.
   int padded_axial() const { return elements + elements % 2; }

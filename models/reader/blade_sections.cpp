@@ -56,6 +56,11 @@ void check_sections(const TomlSection& section, const Blade& blade) {
   if (!fault.key.empty()) sections_of(section).fail(fault.key, fault.text);
 }
 
+BeamStrain read_strain(const TomlSection& beam) {
+  return beam.choice("strain", {BeamStrain::automatic, BeamStrain::linear, BeamStrain::nonlinear},
+                     BeamStrain::automatic);
+}
+
 std::vector<PointMass> read_point_masses(const TomlSection& section, const Blade& blade) {
   std::vector<PointMass> points;
   const std::vector<TomlSection> tables =

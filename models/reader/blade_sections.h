@@ -1,6 +1,6 @@
 #pragma once
 
-// Reads the sections and point masses of a blade.
+// Reads the sections and point masses of a blade, and the strains of any beam.
 
 #include <string_view>
 #include <vector>
@@ -22,6 +22,9 @@ const TomlSection& material_of(const TomlSection& own, const TomlSection& common
 BladeSections read_sections(const TomlSection& blade);
 /// Throws InputError, at the key in `section`, if the sections do not fit one another or the blade.
 void check_sections(const TomlSection& section, const Blade& blade);
+
+/// Reads the key "strain" of a beam's table.
+BeamStrain read_strain(const TomlSection& beam);
 
 /// Reads the tables "point_mass" of a blade's table.
 std::vector<PointMass> read_point_masses(const TomlSection& section, const Blade& blade);

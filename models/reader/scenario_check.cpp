@@ -77,6 +77,8 @@ void check_sections(const std::string& path, const Blade& blade) {
 void check_blade(const std::string& path, const Blade& blade) {
   check_fields(path, blade);
   if (has_sections(blade)) check_sections(path, blade);
+  if (const char* fault = find_strain_fault(blade.strain, blade.geometric_stiffening))
+    fail(path + ".geometric_stiffening", fault);
   const std::size_t masses = blade.point_masses.size();
   if (masses > kMostPointMasses)
     fail(path + ".point_mass", "are " + std::to_string(masses) + " tables, expected at most " +

@@ -72,6 +72,12 @@ std::string find_mass_factor_fault(const Damping& damping, const std::vector<Bla
          "relative to the hub the motion in the hub's frame";
 }
 
+const char* find_strain_fault(BeamStrain strain, bool geometric_stiffening) {
+  if (strain != BeamStrain::nonlinear || geometric_stiffening) return nullptr;
+  return "is false, expected true, or strain = \"linear\": strains of second order make the "
+         "tension that stiffens";
+}
+
 std::string find_element_fault(const std::vector<Blade>& blades) {
   constexpr std::int64_t most_elements = 20'000'000;
   std::int64_t elements = 0;

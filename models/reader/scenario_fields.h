@@ -200,6 +200,8 @@ SectionsFault find_sections_fault(const Blade& blade);
 std::string find_station_fault(std::size_t count);
 /// Returns the number of stations and point masses of a blade.
 std::size_t count_stations(const Blade& blade);
+/// Returns what is wrong with the geometric stiffening of a beam of such strains; null: nothing.
+const char* find_strain_fault(BeamStrain strain, bool geometric_stiffening);
 std::string find_element_fault(const std::vector<Blade>& blades);
 /// Checks damping.mass_factor, which is in its range.
 std::string find_mass_factor_fault(const Damping& damping, const std::vector<Blade>& blades);

@@ -43,6 +43,7 @@ Json to_json(const Blade& blade, const Rotor& rotor) {
   add_material(blade, json);
   json.set("geometric_stiffening", blade.geometric_stiffening);
   json.set("reference_frame", name_of(blade.reference_frame));
+  if (blade.strain != BeamStrain::automatic) json.set("strain", name_of(blade.strain));
   json.set("azimuth", blade.azimuth);
   for (const PointMass& point : blade.point_masses)
     json.append("point_mass",

@@ -122,6 +122,9 @@ Blade read_blade(const TomlSection& own, const TomlSection& common, double azimu
       from("reference_frame")
           .choice("reference_frame", {ReferenceFrame::clamped, ReferenceFrame::chord},
                   blade.reference_frame);
+  blade.strain = read_strain(from("strain"));
+  if (const char* fault = find_strain_fault(blade.strain, blade.geometric_stiffening))
+    from("geometric_stiffening").fail("geometric_stiffening", fault);
   blade.loops = read_loops(from("loop"), surroundings_of(blade, rotor.hub, rotor.anchors));
   return blade;
 }
@@ -146,6 +149,7 @@ std::vector<Blade> read_blades(const TomlSection& root, const Rotor& rotor) {
                                   "youngs_modulus",
                                   "geometric_stiffening",
                                   "reference_frame",
+                                  "strain",
                                   "azimuth",
                                   "sections",
                                   "point_mass",

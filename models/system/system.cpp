@@ -119,6 +119,19 @@ void add_loops(const Rotor& rotor, std::size_t i, Subsystem<Plane>& subsystem) {
   }
 }
 
+/// Returns the strain of a blade: its own, or where that leaves the choice the one that suits it.
+BeamStrain choose_strain(const Hub& hub, const Blade& blade) {
+  if (blade.strain != BeamStrain::automatic) return blade.strain;
+  const bool is_turned = hub.support == HubSupport::axle && turns_hub(hub.drive);
+  const bool is_nonlinear = blade.geometric_stiffening && (!is_turned || !blade.loops.empty());
+  return is_nonlinear ? BeamStrain::nonlinear : BeamStrain::linear;
+}
+
+/// Whether bodies have the tension of the undeformed blade; strains of second order have their own.
+bool is_stiffened(const Blade& blade) {
+  return blade.geometric_stiffening && blade.strain == BeamStrain::linear;
+}
+
 Subsystem<Plane> make_subsystem(const Hub& hub, const Blade& blade, const Damping& damping,
                                 BodyCatalogue& catalogue) {
   assert(blade.bodies > 0 && blade.length > 0.0);
@@ -145,7 +158,7 @@ Subsystem<Plane> make_subsystem(const Hub& hub, const Blade& blade, const Dampin
     if (j + 1 < blade.bodies) member.children = {j + 1};
     member.body = catalogue.body(beam, strains);
     if (!modes.factors.empty()) member.modal = make_modal_share(modes, blade, *member.body, j);
-    if (blade.geometric_stiffening) {
+    if (is_stiffened(blade)) {
       const double distance = hub.radius + j * beam.length;
       const double end = distance + beam.length;
       const double of_uniform =
@@ -186,7 +199,7 @@ Position find_mass_centre(const Rotor& rotor, const System<Plane>& system) {
 /// loads; the blade then turns about the mass centre of the whole.
 void add_field_stiffness(const Blade& blade, const Position& centre, BodyCatalogue& catalogue,
                          Subsystem<Plane>& subsystem) {
-  if (!blade.geometric_stiffening) return;
+  if (!is_stiffened(blade)) return;
   const double nearer = (subsystem.root.R.inverse() * centre).x();
   double outboard = 0.0;
   for (int j = blade.bodies - 1; j >= 0; --j) {
@@ -216,7 +229,9 @@ bool is_prescribed(const Hub& hub, int c) {
   return c < kPosition ? hub.support == HubSupport::axle : prescribes_motion(hub.drive);
 }
 
-System<Plane> make_system(const Rotor& rotor) {
+System<Plane> make_system(const Rotor& description) {
+  Rotor rotor = description;
+  for (Blade& blade : rotor.blades) blade.strain = choose_strain(rotor.hub, blade);
   System<Plane> system;
   system.hub = rotor.hub;
   system.gravity = rotor.gravity;

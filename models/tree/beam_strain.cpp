@@ -1,7 +1,6 @@
 #include "models/tree/beam_strain.h"
 
 #include <algorithm>
-#include <variant>
 
 #include "models/tree/space_beam.h"
 
@@ -14,13 +13,7 @@ constexpr double kMostOffset = 0.1;
 
 constexpr const char* kNoDrive = "no drive turns the hub";
 
-/// Returns whether a drive turns a hub; one that coasts from rest does not.
-bool turns_hub(const Hub& hub) {
-  if (hub.support == HubSupport::free || std::holds_alternative<FixedDrive>(hub.drive))
-    return false;
-  const auto* coasting = std::get_if<FreeDrive>(&hub.drive);
-  return !coasting || coasting->initial_speed != 0.0;
-}
+bool is_turned(const Hub& hub) { return hub.support == HubSupport::axle && turns_hub(hub.drive); }
 
 std::string name_or(const std::string& kind, const std::string& name) {
   return name.empty() ? "a " + kind : kind + ' ' + name;
@@ -37,12 +30,12 @@ std::string find_cause(const std::vector<TreeJoint>& joints, const std::vector<L
 }  // namespace
 
 std::string find_unknown_tension(const Model& model, const Blade& blade) {
-  return turns_hub(model.hub) ? find_cause(blade.joints, blade.loops) : kNoDrive;
+  return is_turned(model.hub) ? find_cause(blade.joints, blade.loops) : kNoDrive;
 }
 
 std::string find_unknown_tension(const Model& model, const Subsystem& subsystem) {
   if (is_support(model, subsystem)) return "the hub does not turn it";
-  return turns_hub(model.hub) ? find_joint_or_loop(subsystem) : kNoDrive;
+  return is_turned(model.hub) ? find_joint_or_loop(subsystem) : kNoDrive;
 }
 
 std::string find_joint_or_loop(const Subsystem& subsystem) {

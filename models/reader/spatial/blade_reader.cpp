@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "models/reader/blade_sections.h"
 #include "models/reader/field_reader.h"
 #include "models/reader/loop_reader.h"
 #include "models/reader/spatial/air_reader.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "models/reader/scenario_fields.h"
 #include "models/reader/spatial/fault.h"
 
 namespace spoke::spatial {
@@ -196,10 +197,8 @@ Fault find_fault(const Beam& beam) {
   const FirstFault first;
   visit_fields(beam, first);
   if (first.found()) return first.found();
-  if (beam.strain == BeamStrain::nonlinear && !beam.geometric_stiffening)
-    first.add({"geometric_stiffening",
-               "is false, expected true, or strain = \"linear\": strains of second order make the "
-               "tension that stiffens"});
+  if (const char* fault = find_strain_fault(beam.strain, beam.geometric_stiffening))
+    first.add({"geometric_stiffening", fault});
   first.add(find_fault(beam.sections, beam.length).within("sections"));
   if (beam.point_masses.size() > kMostPointMasses)
     first.add({"point_mass", "are " + std::to_string(beam.point_masses.size()) +

@@ -129,12 +129,6 @@ Sections read_sections(const TomlSection& beam, double length) {
   return sections;
 }
 
-BeamStrain read_strain(const TomlSection& beam) {
-  return beam.choice("strain",
-                     {BeamStrain::automatic, BeamStrain::linear, BeamStrain::nonlinear},
-                     BeamStrain::automatic);
-}
-
 std::vector<PointMass> read_point_masses(const TomlSection& beam) {
   std::vector<PointMass> points;
   for (const TomlSection& table :

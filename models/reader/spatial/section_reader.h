@@ -17,9 +17,6 @@ SectionMatrix swap_beamdyn_axes(const SectionMatrix& matrix);
 /// Reads the table "sections" of a beam's table; the beam has its length.
 Sections read_sections(const TomlSection& beam, double length);
 
-/// Reads the key "strain" of a beam's table.
-BeamStrain read_strain(const TomlSection& beam);
-
 /// Reads the tables "point_mass" of a beam's table.
 std::vector<PointMass> read_point_masses(const TomlSection& beam);
 
