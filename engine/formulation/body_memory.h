@@ -41,6 +41,12 @@ void add_joint_coordinates(BodyData<Space>& body, Memory& coordinates, Memory& h
 Memory memory_of_motions(SubsystemData<Plane>& data);
 Memory memory_of_motions(SubsystemData<Space>& data);
 
+/// Lists the memory of the twists, and in the plane of the angular accelerations that go with them.
+Memory memory_of_twists(SubsystemData<Plane>& data);
+inline Memory memory_of_twists(SubsystemData<Space>& data) {
+  return {memory_of(&data.twists[0], data.twists.size())};
+}
+
 /// Lists the memory of slides that deformation makes.
 inline Memory memory_of_slides(SubsystemData<Plane>&) { return {}; }
 Memory memory_of_slides(SubsystemData<Space>& data);

@@ -50,11 +50,18 @@ struct Terms {
   double dissipation;  ///< qf'^T D qf' [W]
 };
 
-/// X_o of a straight beam, [xx 0 xr; 0 yy yr; 0 ry rr]: axial and bending response decouple.
+/// X_o. Of a straight beam xy, yx and rx are zero: axial and bending response decouple.
 struct HandleMap {
   double xx = 1.0, xr = 0.0;
   double yy = 1.0, yr = 0.0;
   double ry = 0.0, rr = 1.0;
+  double xy = 0.0, yx = 0.0, rx = 0.0;
+
+  TwistMatrix matrix() const {
+    TwistMatrix m;
+    m << xx, xy, xr, yx, yy, yr, rx, ry, rr;
+    return m;
+  }
 };
 
 /// Relation of a body to its neighbours: from the forces on the two handles to their accelerations,
@@ -65,7 +72,6 @@ struct TwoPort {
   Twist p;        ///< condensed rigid-body force [N, N m]
   // Handle accelerations per frame acceleration, deformation following: X_e = J_e - E_e W.
   HandleMap X_o;
-  TwistMatrix X_coupled;  ///< X_o where they do not decouple: of strains of second order
   Twist x_i;  ///< last row of X_i; the others are the identity's, for the frame stands there
   SymmetricTwistMatrix P_ii, P_oo;
   TwistMatrix P_io;

@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "engine/plane/band_products.h"
+#include "engine/plane/body_terms.h"
 #include "engine/plane/nonlinear_strain.h"
 
 namespace spoke::plane {
@@ -68,7 +69,7 @@ void add_bending(const TreeBody<Plane>& member, const double* v, const double* v
   EnergySums sum = sums;
   const FlexibleBody& body = *member.body;
   const double *M = body.M_bending.pairs(), *K = body.K_bending.pairs();
-  const double* KG = kIsStiffened ? member.stiffening.centrifugal->pairs() : nullptr;
+  const double* KG = kIsStiffened ? centrifugal_of(member)->pairs() : nullptr;
   const int n = body.bending();
   constexpr int kStride = 2 * SymmetricBand<3>::kWidth;
   for (int i = 0; i < n; i += 2, M += kStride, K += kStride) {
@@ -95,7 +96,7 @@ BodyEnergies calc_body_energies(const BodyData<Plane>& data, const Twist& twist,
   const FlexParts qd = flex_parts(data.coordinates.v, data.layout);
   EnergySums sums{body.I0};
   add_axial(body, q, qd, sums);
-  if (data.model->stiffening.centrifugal)
+  if (centrifugal_of(*data.model))
     add_bending<true>(*data.model, q.v, qd.v, sums);
   else
     add_bending<false>(*data.model, q.v, qd.v, sums);
@@ -106,11 +107,10 @@ BodyEnergies calc_body_energies(const BodyData<Plane>& data, const Twist& twist,
   };
   const Position S = body.S0 + moment(q), S_rate = moment(qd);
   const Position v = twist.head<kPosition>();
-  const double w = twist[kRotation];
+  const double w = twist[kRotation], w0 = has_turning(body) ? w : hub_speed;
   const double kinetic = 0.5 * body.mass * v.squaredNorm() + 0.5 * sums.rotary_inertia * w * w +
                          0.5 * sums.deformation + w * v.dot(quarter_turn(S)) + v.dot(S_rate) +
-                         w * sums.rotation_deformation -
-                         0.5 * hub_speed * hub_speed * sums.centrifugal_inertia;
+                         w * sums.rotation_deformation - 0.5 * w0 * w0 * sums.centrifugal_inertia;
   const double strain =
       body.is_nonlinear() ? calc_nonlinear_energy(body, data.layout, data.coordinates.q) : 0.0;
   return {kinetic, 0.5 * sums.elastic + strain, S};

@@ -7,7 +7,11 @@ namespace spoke {
 using graph::bytes_of;
 
 Memory memory_of_motions(SubsystemData<Plane>& data) {
-  Memory memory{bytes_of(data.joints[0], data.joints.size())};
+  return {bytes_of(data.joints[0], data.joints.size())};
+}
+
+Memory memory_of_twists(SubsystemData<Plane>& data) {
+  Memory memory{bytes_of(data.twists[0], data.twists.size())};
   for (BodyData<Plane>& body : data.bodies)
     if (body.strain) memory.push_back(bytes_of(body.alpha));
   return memory;

@@ -73,21 +73,23 @@ PartSums calc_axial_rows(const FlexibleBody& body, double w, const FlexParts& q,
   return {total(S_sum), total(S_rate), total(inertia), total(inertia_rate), 0.0, 0.0};
 }
 
-/// Calculates the bending rows of c_theta and Q_f; with geometric stiffening Q_f -= w0^2 KG qf.
+/// Calculates the bending rows of c_theta and Q_f; with geometric stiffening Q_f -= w0^2 KG qf, and
+/// likewise with the turning of small masses, of which the speed is that of the body.
 template <bool kIsClamped, bool kIsStiffened>
 PartSums calc_bending_rows(const TreeBody<Plane>& member, const BodyMotion& motion,
                            const FlexParts& q, const FlexParts& qd, const double* q_elastic,
                            double* c_theta, double* Q) {
   const FlexibleBody& body = *member.body;
   const double w = motion.speed;
-  const double ww_hub = motion.hub_speed * motion.hub_speed;
+  const double w0 = has_turning(body) ? w : motion.hub_speed;
+  const double ww_hub = w0 * w0;
   Double2 S_sum{}, S_rate{};
   Double2 inertia{}, inertia_rate{};
   Double2 centrifugal_inertia{}, centrifugal_rate{};
   const double *v = q.v, *vd = qd.v, *u = q.u, *ud = qd.u;
   const double *S = body.S_bending.data(), *c0 = body.c_bending.data();
   const double *M = body.M_bending.pairs(), *K = body.K_bending.pairs();
-  const double* KG = kIsStiffened ? member.stiffening.centrifugal->pairs() : nullptr;
+  const double* KG = kIsStiffened ? centrifugal_of(member)->pairs() : nullptr;
   const double* h = body.H.pairs.data();
   const int n = body.bending();
   constexpr int kStride = 2 * SymmetricBand<3>::kWidth;
@@ -120,7 +122,7 @@ PartSums calc_bending_rows(const TreeBody<Plane>& member, const BodyMotion& moti
 
 PartSums calc_bending(const TreeBody<Plane>& member, const BodyMotion& motion, const FlexParts& q,
                       const FlexParts& qd, const double* q_elastic, double* c_theta, double* Q) {
-  const bool is_stiffened = member.stiffening.centrifugal != nullptr;
+  const bool is_stiffened = centrifugal_of(member) != nullptr;
   const auto calc = [&](auto is_clamped) {
     constexpr bool kIsClamped = decltype(is_clamped)::value;
     return is_stiffened
@@ -164,13 +166,16 @@ void calc_terms(const BodyMotion& motion, const Damping& damping, BodyData<Plane
   Terms& terms = data.terms;
   terms.S = body.S0 + Position{axial.S, bending.S};
   terms.rotary_inertia = body.I0 + axial.inertia + bending.inertia;
-  terms.stiffening.inertia = bending.centrifugal_inertia;
-  terms.stiffening.rate = bending.centrifugal_rate;
-  terms.stiffening.moment = 0.0;
+  terms.stiffening = {bending.centrifugal_inertia, bending.centrifugal_rate, 0.0};
   // Q_t = w^2 (S0 + S qf) - 2 w B S qf',  Q_w = -2 w (d0 + Mff qf) . qf'
   const Position S_rate{axial.S_rate, bending.S_rate};
   const Position Q_t = w * w * terms.S - 2.0 * w * quarter_turn(S_rate);
   terms.Q = Twist(Q_t.x(), Q_t.y(), -2.0 * w * (axial.inertia_rate + bending.inertia_rate));
+  if (has_turning(body)) {
+    terms.rotary_inertia -= terms.stiffening.inertia;
+    terms.Q[kRotation] += calc_stiffening_moment(terms.stiffening, w);
+    terms.stiffening = {};
+  }
   terms.load_power = 0.0;
   terms.dissipation = 0.0;
   const double a = damping.mass_factor, b = damping.stiffness_factor;

@@ -12,6 +12,14 @@ struct BodyMotion {
   double hub_speed = 0.0;  ///< w0, for the centrifugal stiffening [rad/s]
 };
 
+/// Whether small masses that turn take off the rotary inertia of a body.
+inline bool has_turning(const FlexibleBody& body) { return body.turning.size() > 0; }
+/// Returns what the centrifugal inertia of a body is made of, by its geometric stiffening or by its
+/// turning; null: neither.
+inline const SymmetricBand<3>* centrifugal_of(const TreeBody<Plane>& member) {
+  return has_turning(*member.body) ? &member.body->turning : member.stiffening.centrifugal.get();
+}
+
 /// Calculates the state-dependent mass terms and the right-hand side of a body, (P 3), with its
 /// damping: terms, c_theta and Q_f of `data` (docs/formulation.md, section 2). Elastic and damping
 /// forces are taken at q_elastic and v_elastic. Without loads.

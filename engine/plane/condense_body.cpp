@@ -42,6 +42,7 @@ void calc_handle_maps(const plane::ElasticBlock& block, const BodyData<Plane>& d
   X_o.yr = s.x();
   X_o.ry = 0.0;
   X_o.rr = 1.0;
+  X_o.xy = X_o.yx = X_o.rx = 0.0;
   x_i = Twist::Unit(kRotation);
   for (const plane::ElasticBlock::BendingColumn& column : block.columns) {
     const double W_y = block.W_y[column.coordinate];
@@ -211,14 +212,15 @@ void condense_coupled(const BodyData<Plane>& data, const Twist& twist, BodyWork<
   const Twist X_free = port.S_inverse * port.p;
   port.free_i = X_free;
   const Position s = calc_outboard_position(data);
-  TwistMatrix& X_o = port.X_coupled;
+  TwistMatrix X_o, Z_oo;
   X_o << 1.0, 0.0, -s.y(), 0.0, 1.0, s.x(), 0.0, 0.0, 1.0;
-  TwistMatrix Z_oo;
   for (int c = 0; c < kTwist; ++c) {
     const CoupledRow row = row_at(data, body.outboard, c, work);
     X_o.row(c) -= row.W.transpose();
     Z_oo.row(c) = row.Z.transpose();
   }
+  port.X_o = {X_o(0, 0), X_o(0, 2), X_o(1, 1), X_o(1, 2), X_o(2, 1),
+              X_o(2, 2), X_o(0, 1), X_o(1, 0), X_o(2, 0)};
   port.P_io = port.S_inverse.matrix().lazyProduct(X_o.transpose());
   const TwistMatrix P_oo = Z_oo + X_o.lazyProduct(port.P_io);
   port.P_oo = {P_oo(0, 0), P_oo(1, 0), P_oo(1, 1), P_oo(2, 0), P_oo(2, 1), P_oo(2, 2)};

@@ -66,6 +66,7 @@ ImplicitStrain make_implicit_strain(const FlexibleBody& body, const TangentFacto
   strain.wrenches.assign(static_cast<std::size_t>(body.elements), Twist::Zero());
   strain.lean.assign(static_cast<std::size_t>(layout_of(body).size()), 0.0);
   for (auto& pair : strain.columns) pair.assign(n, Double2{});
+  follow_strain(body, std::vector<double>(strain.lean.size(), 0.0).data(), strain);
   return strain;
 }
 

@@ -2,11 +2,14 @@
 
 #include "engine/kernels/marker_motion.h"
 
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <utility>
 
 #include "engine/kernels/kinematics.h"
 #include "engine/plane/handle_motion.h"
+#include "engine/plane/nonlinear_strain.h"
 #include "engine/plane/relative_motion.h"
 
 namespace spoke {
@@ -102,15 +105,55 @@ Position calc_marker_foreshortening(const Subsystem<Plane>& subsystem,
   return sum;
 }
 
-Twist calc_section_force(const Blade& blade, const Damping& damping, const double* modal,
-                         const BodyData<Plane>& body, const plane::Section& section) noexcept {
+namespace {
+
+/// Strain of the axis, its curvature and the change of that along it, at a section; damping and
+/// that of modes count as strain.
+struct SectionStrain {
+  double axial, curvature, change;
+};
+
+SectionStrain calc_linear_strain(double stiffness_factor, const double* modal,
+                                 const BodyData<Plane>& body, const plane::Section& section) {
   const auto damped = [&](double own, const auto& shape, const auto& places) {
     const double strain =
         plane::value_at(shape, places, body.coordinates.q) +
-        (damping.stiffness_factor + own) * plane::value_at(shape, places, body.coordinates.v);
+        (stiffness_factor + own) * plane::value_at(shape, places, body.coordinates.v);
     return modal ? strain + plane::value_at(shape, places, modal) : strain;
   };
   const plane::StrainDamping& own = body.model->body->damping;
+  return {damped(own.axial, section.strain, section.axial_at),
+          damped(own.bending, section.curvature, section.bending_at),
+          damped(own.bending, section.curvature_change, section.bending_at)};
+}
+
+/// Of second order: that of its element, whose outer node moves by d against the inner section.
+SectionStrain calc_nonlinear_strain(double stiffness_factor, const double* modal,
+                                    const BodyData<Plane>& body, const plane::Section& section) {
+  const plane::FlexibleBody& model = *body.model->body;
+  const double l = model.length / model.elements;
+  const int e = std::min(static_cast<int>(section.x / l), model.elements - 1);
+  Twist d = calc_strain(model, body.layout, e, body.coordinates.q);
+  const Twist rate =
+      calc_strain_rate(model, body.layout, e, body.coordinates.q, body.coordinates.v);
+  d[0] += (stiffness_factor + model.damping.axial) * rate[0];
+  d.tail<2>() += (stiffness_factor + model.damping.bending) * rate.tail<2>();
+  const auto bent = [&](const std::array<double, 4>& shape) {
+    const double strain = shape[2] * d[1] + shape[3] * d[2];
+    return modal ? strain + plane::value_at(shape, section.bending_at, modal) : strain;
+  };
+  const double stretch = modal ? plane::value_at(section.strain, section.axial_at, modal) : 0.0;
+  return {d[0] / l + stretch, bent(section.curvature), bent(section.curvature_change)};
+}
+
+}  // namespace
+
+Twist calc_section_force(const Blade& blade, const Damping& damping, const double* modal,
+                         const BodyData<Plane>& body, const plane::Section& section) noexcept {
+  const double factor = damping.stiffness_factor;
+  const SectionStrain strain = has_nonlinear_strain(body)
+                                   ? calc_nonlinear_strain(factor, modal, body, section)
+                                   : calc_linear_strain(factor, modal, body, section);
   double axial_stiffness = blade.youngs_modulus * blade.area;
   double bending_stiffness = blade.youngs_modulus * blade.second_moment;
   double stiffness_slope = 0.0;
@@ -122,11 +165,9 @@ Twist calc_section_force(const Blade& blade, const Damping& damping, const doubl
     stiffness_slope = piece.slope(piece.bending_stiffness);
   }
   // The shear force is -(EI v'')'.
-  const double curvature = damped(own.bending, section.curvature, section.bending_at);
-  const double shear =
-      -bending_stiffness * damped(own.bending, section.curvature_change, section.bending_at);
-  return {axial_stiffness * damped(own.axial, section.strain, section.axial_at),
-          shear - stiffness_slope * curvature, bending_stiffness * curvature};
+  const double shear = -bending_stiffness * strain.change;
+  return {axial_stiffness * strain.axial, shear - stiffness_slope * strain.curvature,
+          bending_stiffness * strain.curvature};
 }
 
 }  // namespace spoke

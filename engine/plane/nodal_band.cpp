@@ -5,16 +5,9 @@
 #include <algorithm>
 #include <cassert>
 
-namespace spoke::plane {
+#include "engine/support/wide_kernels.h"
 
-int place_by_node(const FlexibleBody& body, int node, int component) {
-  if (node < 0 || node > body.elements || body.coordinate(node, component) < 0) return -1;
-  if (body.reference_frame == ReferenceFrame::clamped) return kTwist * (node - 1) + component;
-  // A chord frame leaves psi of the first node, and u and psi of the last.
-  if (node == 0) return 0;
-  const bool is_behind_fixed = node == body.elements && component == kRotation;
-  return 1 + kTwist * (node - 1) + component - (is_behind_fixed ? 1 : 0);
-}
+namespace spoke::plane {
 
 NodalBand::NodalBand(const FlexibleBody& body)
     : values_(static_cast<std::size_t>((kHalf + 1) * body.coordinates()), 0.0),
@@ -54,29 +47,35 @@ void NodalBand::add_to(Eigen::Ref<Eigen::MatrixXd> dense) const {
 
 void NodalBand::factorise(const NodalBand& a, const NodalBand& b) noexcept {
   assert(a.size() == size() && b.size() == size());
-  for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = a.values_[i] + b.values_[i];
-  for (int k = 0; k < size(); ++k) {
-    const double inverse = 1.0 / row(k)[k];
-    row(k)[k] = inverse;
-    double column[kHalf];
-    const int rest = std::min(kHalf, size() - 1 - k);
-    for (int i = 0; i < rest; ++i) {
-      double* const below = row(k + 1 + i) + k;
-      column[i] = below[0];
-      const double share = below[0] *= inverse;
-      for (int j = 0; j <= i; ++j) below[1 + j] -= share * column[j];
+  run_kernel([&]() noexcept {
+    const int n = size();
+    for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = a.values_[i] + b.values_[i];
+    for (int k = 0; k < n; ++k) {
+      const double inverse = 1.0 / row(k)[k];
+      row(k)[k] = inverse;
+      double column[kHalf];
+      const int rest = std::min(kHalf, n - 1 - k);
+      for (int i = 0; i < rest; ++i) {
+        double* const below = row(k + 1 + i) + k;
+        column[i] = below[0];
+        const double share = below[0] *= inverse;
+        for (int j = 0; j <= i; ++j) below[1 + j] -= share * column[j];
+      }
     }
-  }
+  });
 }
 
 void NodalBand::solve(Double2* x) const noexcept {
-  for (int k = 0; k < size(); ++k) {
-    const int end = std::min(k + kHalf + 1, size());
-    for (int i = k + 1; i < end; ++i) x[i] -= row(i)[k] * x[k];
-  }
-  for (int k = 0; k < size(); ++k) x[k] *= row(k)[k];
-  for (int k = size() - 1; k > 0; --k)
-    for (int j = std::max(0, k - kHalf); j < k; ++j) x[j] -= row(k)[j] * x[k];
+  run_kernel([&]() noexcept {
+    const int n = size();
+    for (int k = 0; k < n; ++k) {
+      const int end = std::min(k + kHalf + 1, n);
+      for (int i = k + 1; i < end; ++i) x[i] -= row(i)[k] * x[k];
+    }
+    for (int k = 0; k < n; ++k) x[k] *= row(k)[k];
+    for (int k = n - 1; k > 0; --k)
+      for (int j = std::max(0, k - kHalf); j < k; ++j) x[j] -= row(k)[j] * x[k];
+  });
 }
 
 NodalBand make_mass_band(const FlexibleBody& body) {

@@ -13,7 +13,16 @@ namespace spoke::plane {
 
 /// Returns the place of a node's coordinate in the order of nodes, (u, v, psi) of each; -1 for one
 /// that the reference frame fixes.
-int place_by_node(const FlexibleBody& body, int node, int component);
+inline int place_by_node(const FlexibleBody& body, int node, int component) {
+  if (node < 0 || node > body.elements) return -1;
+  if (body.reference_frame == ReferenceFrame::clamped)
+    return node == 0 ? -1 : kTwist * (node - 1) + component;
+  // A chord frame leaves psi of the first node, and u and psi of the last.
+  if (node == 0) return component == kRotation ? 0 : -1;
+  const int first = 1 + kTwist * (node - 1);
+  if (node < body.elements || component == 0) return first + component;
+  return component == kRotation ? first + 1 : -1;
+}
 
 /// A symmetric band over the coordinates of a body in the order of nodes: strains of second order
 /// tie those of four nodes that follow one another.

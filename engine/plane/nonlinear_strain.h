@@ -28,6 +28,10 @@ double calc_nonlinear_energy(const FlexibleBody& body, const FlexLayout& layout,
 Twist calc_strain(const FlexibleBody& body, const FlexLayout& layout, int e,
                   const double* q) noexcept;
 
+/// Returns its rate at rates v (flex vectors).
+Twist calc_strain_rate(const FlexibleBody& body, const FlexLayout& layout, int e, const double* q,
+                       const double* v) noexcept;
+
 /// Returns K d of an element, of which the first component is its tension [N, N, N m].
 Twist calc_strain_wrench(const FlexibleBody& body, const FlexLayout& layout, int e,
                          const double* q) noexcept;

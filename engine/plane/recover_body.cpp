@@ -63,7 +63,7 @@ void recover_coupled(const plane::Wrenches& wrenches, const BodyWork<Plane>& wor
   const Twist &F = wrenches.inboard, &f = wrenches.outboard;
   const Twist X_i_F = Twist(F[0], F[1], 0.0) + port.x_i * F[kRotation];
   const Twist X =
-      port.S_inverse * Twist(port.p + X_i_F + port.X_coupled.transpose().lazyProduct(f));
+      port.S_inverse * Twist(port.p + X_i_F + port.X_o.matrix().transpose().lazyProduct(f));
   data.X = X;
   const auto& [W, Z_linear, Z_angular] = data.strain->columns;
   for (std::size_t i = 0; i < W.size(); ++i) {

@@ -26,11 +26,11 @@ using graph::PartId;
 using graph::reads;
 using graph::writes;
 
-/// Returns the coordinates that the kinematics of a subsystem read. Of a planar tip body they are
-/// those of its inboard handle only; a clamped frame has none.
+/// Returns a part of the bodies, coordinates or accelerations, that the kinematics of a subsystem
+/// read. Of a planar tip body they are those of its inboard handle only; a clamped frame has none.
 template <class World>
-PartList chain_coordinates(const Assembly<World>& g, int i) {
-  PartList list = g.subsystem(i).all(&BodyParts::coordinates);
+PartList chain_parts(const Assembly<World>& g, int i, PartId BodyParts::*part) {
+  PartList list = g.subsystem(i).all(part);
   if constexpr (!tree::kHasJointCoordinates<World>)
     if (!turns_inboard(*g.c.system.subsystems[i].bodies.back().body)) list.pop_back();
   return list;
@@ -147,7 +147,7 @@ template <class World>
 void add_position(const Assembly<World>& g, int i) {
   const Subsystem<World>& subsystem = g.c.system.subsystems[i];
   SubsystemData<World>& data = g.c.data.subsystems[i];
-  PartList inputs = chain_coordinates(g, i);
+  PartList inputs = chain_parts(g, i, &BodyParts::coordinates);
   if constexpr (tree::kHasJointCoordinates<World>)
     inputs.push_back(g.subsystem(i).rotations);  // the node sets the handles, too
   g.builder.add_node(g.label(stages::kPosition, i), reads(g.subsystem(i).progress, inputs),
@@ -166,16 +166,17 @@ void add_velocity(const Assembly<World>& g, int i) {
   SubsystemData<World>& data = table.subsystems[i];
   PartList outputs{own.twists}, azimuth;
   if (!data.drag_poses.empty()) outputs.push_back(own.drag_poses);
-  const bool has_tension = needs_angular_accelerations(g, i);
-  if (tree::kHasJointCoordinates<World> || has_tension)
-    outputs.push_back(own.rotations);  // the node sets the joints, and these accelerations
+  if constexpr (tree::kHasJointCoordinates<World>)
+    outputs.push_back(own.rotations);  // the node sets the joints, too
   if constexpr (tree::kHasJointCoordinates<World>)
     if (follows_free_hub(system, subsystem)) azimuth.push_back(g.parts.hub_coordinates);
+  const bool has_tension = needs_angular_accelerations(g, i);
   PartList accelerations;
   if (has_tension) {
-    accelerations = own.all(&BodyParts::accelerations);
-    for (const BodyParts& body : own.bodies)
-      accelerations.insert(accelerations.end(), body.tension.begin(), body.tension.end());
+    accelerations = chain_parts(g, i, &BodyParts::accelerations);
+    if constexpr (tree::kHasJointCoordinates<World>)  // whether there is any at this speed
+      for (const BodyParts& body : own.bodies)
+        accelerations.insert(accelerations.end(), body.tension.begin(), body.tension.end());
     if (table.is_coupled && subsystem.rotor < 0) accelerations.push_back(g.parts.hub_coordinates);
   }
   PartList modal;
@@ -184,8 +185,8 @@ void add_velocity(const Assembly<World>& g, int i) {
     modal = own.all(&BodyParts::coordinates);
   }
   g.builder.add_node(g.label(stages::kVelocity, i),
-                     reads(own.progress, chain_coordinates(g, i), own.rotations, own.hub_state,
-                           azimuth, accelerations, modal, controls_of(g, i)),
+                     reads(own.progress, chain_parts(g, i, &BodyParts::coordinates), own.rotations,
+                           own.hub_state, azimuth, accelerations, modal, controls_of(g, i)),
                      writes(outputs),
                      unless_halted(*data.progress, [&system, &subsystem, &table, &data, i,
                                                     has_tension]() noexcept {

@@ -72,7 +72,10 @@ PartList terms_inputs(const Assembly<World>& g, int i, int j) {
   const TreeBody<World>& member = g.c.system.subsystems[i].bodies[j];
   PartList inputs{own.progress, own.bodies[j].coordinates, own.twists};
   if (std::holds_alternative<GeneralizedAlpha>(g.c.integrator.method)) {
-    inputs.push_back(own.bodies[j].history);  // q_elastic, v_elastic
+    // q_elastic and v_elastic, unless they are q and v.
+    if (tree::kHasJointCoordinates<World> ||
+        !has_nonlinear_strain(g.c.data.subsystems[i].bodies[j]))
+      inputs.push_back(own.bodies[j].history);
     if (has_coordinates(member) || !own.bodies[j].tension.empty())
       inputs.push_back(own.bodies[j].accelerations);
   }
@@ -151,7 +154,8 @@ void add_mass(const Assembly<World>& g, int i, int j) {
   for (const PartId tension : parts.tension) {
     inputs.push_back(tension);  // it stays while the speed does
     outputs.push_back(tension);
-    inputs.push_back(g.subsystem(i).rotations);  // for the frames' angular accelerations
+    if constexpr (tree::kHasJointCoordinates<World>)
+      inputs.push_back(g.subsystem(i).rotations);  // for the frames' angular accelerations
   }
   if constexpr (tree::kHasJointCoordinates<World>) {
     inputs.push_back(parts.scratch);  // not all of it is overwritten

@@ -178,7 +178,7 @@ SubsystemParts add_subsystem_parts(SystemContext<World>& context, int i,
   const std::size_t count = data.bodies.size();
   SubsystemParts parts;
   parts.rotations = builder.add_part(name + "rotations", memory_of_motions(data));
-  parts.twists = builder.add_part(name + "twists", {bytes_of(data.twists[0], count)});
+  parts.twists = builder.add_part(name + "twists", memory_of_twists(data));
   parts.poses = builder.add_part(name + "poses", {bytes_of(data.poses[0], count)});
   if (!data.drag_poses.empty())
     parts.drag_poses =

@@ -17,9 +17,8 @@ using Vector4 = Eigen::Vector4d;
 constexpr std::array<int, 2> kAxial{0, 3};
 constexpr std::array<int, 4> kBending{1, 2, 4, 5};
 
-/// Places and weights of Gauss's rule of four points, in pairs. The closed form differs from
-/// GaussRule<4> by an ulp in two numbers: constants of elements, and with them states, keep the
-/// bits that they have had.
+/// Places and weights of Gauss's rule of four points, in pairs; by the closed form, an ulp off
+/// GaussRule<4> in two numbers, so that states keep the bits that they have had.
 const std::array<std::array<double, 2>, 4> kGauss = [] {
   const double a = std::sqrt(3.0 / 7.0 - 2.0 / 7.0 * std::sqrt(6.0 / 5.0));
   const double b = std::sqrt(3.0 / 7.0 + 2.0 / 7.0 * std::sqrt(6.0 / 5.0));
@@ -251,13 +250,21 @@ FlexibleBody make_empty_body(const BeamProperties& beam) {
   return body;
 }
 
-void move_stiffness_to_elements(const BeamProperties& beam, FlexibleBody& body) {
+/// Gives a body whose strains are of second order the matrices that it has for them.
+void make_nonlinear(const BeamProperties& beam, FlexibleBody& body) {
   const std::vector<BeamElement> elements = make_beam_elements(beam);
   for (std::size_t e = 0; std::cmp_less(e, beam.elements); ++e)
     body.strain_stiffness.push_back(
         elements[std::min(e, elements.size() - 1)].stiffness.bottomRightCorner<kTwist, kTwist>());
   body.K_axial = SymmetricBand<1>(body.axial());
   body.K_bending = SymmetricBand<3>(body.bending());
+  for (const BodyMass& point : beam.masses) {
+    if (point.inertia == 0.0) continue;
+    if (body.turning.size() == 0) body.turning = SymmetricBand<3>(body.bending());
+    const Place at = place_at(beam, point.x);
+    const Vector4 slope = bending_slope(at.xi, beam.length / beam.elements);
+    add_bending(body, at.element, point.inertia * slope * slope.transpose(), body.turning);
+  }
 }
 
 }  // namespace
@@ -279,7 +286,7 @@ FlexibleBody make_beam_body(const BeamProperties& beam) {
     add_varying_elements(beam, body);
   }
   body.H.transpose();
-  if (beam.is_nonlinear) move_stiffness_to_elements(beam, body);
+  if (beam.is_nonlinear) make_nonlinear(beam, body);
   return body;
 }
 

@@ -19,11 +19,11 @@ struct BeamProperties {
   double axial_stiffness = 0.0;    ///< EA [N]
   double bending_stiffness = 0.0;  ///< EI [N m^2]
   ReferenceFrame reference_frame = ReferenceFrame::clamped;
-  bool is_nonlinear = false;  ///< whether strains are of second order
   /// Pieces from the inboard to the outboard end, if the body is not uniform or carries point
   /// masses.
   std::vector<BeamPiece> pieces{};
   std::vector<BodyMass> masses{};  ///< point masses; a piece ends at each of them
+  bool is_nonlinear = false;       ///< whether strains are of second order
 
   auto operator<=>(const BeamProperties&) const = default;
 };

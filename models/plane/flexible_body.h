@@ -78,6 +78,9 @@ struct FlexibleBody {
   /// By element, if strains are of second order: the stiffness against displacement and rotation of
   /// its outer node while the inner one stands. K_axial and K_bending are then zero.
   std::vector<TwistMatrix> strain_stiffness;
+  /// And what turned small masses take off the rotary inertia, sum of J N_v'^T N_v' [kg m^2, ...];
+  /// of size 0 without such masses: their place is linear in the rotation of their section.
+  SymmetricBand<3> turning;
   AxialBendingCoupling H;
   StrainDamping damping;
 

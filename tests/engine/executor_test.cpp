@@ -14,6 +14,7 @@ namespace {
 /// bodies.
 Scenario unequal_rotor(IntegrationMethod method, int elements = 4) {
   Scenario scenario = spin_up_scenario(wu_haug_blade(4, elements), 0.005);
+  scenario.rotor.blades[0].strain = BeamStrain::nonlinear;
   scenario.rotor.blades[1] = wu_haug_blade(3, elements + 2);
   scenario.rotor.blades[1].azimuth = 2.0;
   scenario.rotor.blades[1].reference_frame = ReferenceFrame::chord;

@@ -240,6 +240,19 @@ Eigen::VectorXd gather(const SystemContext<Plane>& context, double* CoordinateBl
   return all;
 }
 
+/// The elastic stiffness itself is checked against the beam's analytic solutions elsewhere.
+double elastic_energy(const plane::FlexibleBody& body, const Eigen::VectorXd& q) {
+  if (body.is_nonlinear()) {
+    const plane::FlexLayout layout = plane::make_layout(body);
+    std::vector<double> flex(static_cast<std::size_t>(layout.size()), 0.0);
+    for (int i = 0; i < body.coordinates(); ++i)
+      flex[static_cast<std::size_t>(layout.offset(i))] = q[i];
+    return plane::calc_nonlinear_energy(body, layout, flex.data());
+  }
+  const Eigen::VectorXd u = q.head(body.axial()), v = q.tail(body.bending());
+  return 0.5 * (u.dot(body.K_axial.to_dense() * u) + v.dot(body.K_bending.to_dense() * v));
+}
+
 }  // namespace
 
 double Lagrangian::kinetic_energy(const Eigen::VectorXd& y, const Eigen::VectorXd& v) const {
@@ -304,11 +317,7 @@ double Lagrangian::potential_energy(const Eigen::VectorXd& y) const {
         });
         matter.for_each_mass(0.0,
                              [&](double x, const PointMass& point) { of_gravity(point.mass, x); });
-        // The elastic stiffness itself is checked against the beam's analytic solutions elsewhere.
-        const Eigen::VectorXd q_u = y.segment(next, body.axial());
-        const Eigen::VectorXd q_v = y.segment(next + body.axial(), body.bending());
-        energy += 0.5 * q_u.dot(body.K_axial.to_dense() * q_u) +
-                  0.5 * q_v.dot(body.K_bending.to_dense() * q_v);
+        energy += elastic_energy(body, y.segment(next, body.coordinates()));
         next += body.coordinates();
       });
   return energy;

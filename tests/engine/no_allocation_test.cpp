@@ -121,6 +121,9 @@ TEST_CASE("a step allocates nothing, at small and large numbers of elements") {
       CAPTURE(elements);
       CHECK(allocations_of_steps(scenario, {Formulation::structured, ExecutorKind::serial, 1},
                                  20) == 0);
+      for (Blade& blade : scenario.rotor.blades) blade.strain = BeamStrain::nonlinear;
+      CHECK(allocations_of_steps(scenario, {Formulation::structured, ExecutorKind::serial, 1},
+                                 20) == 0);
     }
 }
 
@@ -132,6 +135,8 @@ TEST_CASE("a step of the dense formulations allocates nothing at the paper's siz
       scenario.integration.method = method;
       if (method == IntegrationMethod::rk4) scenario.integration.step = 8e-5;
       CAPTURE(name_of(formulation));
+      CHECK(allocations_of_steps(scenario, {formulation, ExecutorKind::serial, 1}, 10) == 0);
+      for (Blade& blade : scenario.rotor.blades) blade.strain = BeamStrain::nonlinear;
       CHECK(allocations_of_steps(scenario, {formulation, ExecutorKind::serial, 1}, 10) == 0);
     }
 }
@@ -444,6 +449,11 @@ TEST_CASE("the memory of a model is known to a quarter before it is allocated") 
       CHECK(relative_estimate(read_scenario(std::string(SPOKE_MODELS_DIR) + "/" + file, size)) ==
             doctest::Approx(1.0).epsilon(0.25));
     }
+  for (std::vector<std::string> size : {many, fine}) {
+    size.push_back("blade.strain=nonlinear");
+    CHECK(relative_estimate(read_scenario(SPOKE_MODELS_DIR "/wu_haug_rotor.toml", size)) ==
+          doctest::Approx(1.0).epsilon(0.25));
+  }
   for (const Formulation formulation : formulations()) {
     CAPTURE(name_of(formulation));
     CHECK(relative_estimate(make_tied_chain(40), formulation) ==

@@ -43,6 +43,7 @@ Scenario spin_up_scenario(const Blade& blade, double step) {
 Scenario unequal_scenario(HubSupport support, IntegrationMethod method) {
   Scenario scenario = spin_up_scenario(wu_haug_blade(2, 3), 0.01);
   Rotor& rotor = scenario.rotor;
+  rotor.blades[0].strain = BeamStrain::nonlinear;
   rotor.blades[1].bodies = 3;
   rotor.blades[1].length = 5.0;
   rotor.blades[2].geometric_stiffening = false;
@@ -71,7 +72,9 @@ Rotor make_random_rotor(const RandomRotor& kind, std::mt19937& random) {
     blade.area *= factor(random);
     blade.second_moment *= factor(random);
     blade.youngs_modulus *= factor(random);
-    blade.geometric_stiffening = number(random) % 2 == 0;
+    const int stiffening = number(random);
+    blade.geometric_stiffening = stiffening % 2 == 0;
+    if (stiffening == 4) blade.strain = BeamStrain::nonlinear;
     blade.reference_frame =
         number(random) % 2 == 0 ? ReferenceFrame::clamped : ReferenceFrame::chord;
     blade.azimuth = 2.0 * std::numbers::pi * i / blades + factor(random);

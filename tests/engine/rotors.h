@@ -21,7 +21,7 @@ Scenario spin_up_scenario(const Blade& blade, double step);
 /// Makes a spin-up of 200 steps whose blades need different numbers of iterations, under gravity.
 Scenario unequal_scenario(HubSupport support, IntegrationMethod method);
 
-/// A rotor with blades of random sizes, materials, reference frames and stiffening.
+/// A rotor with blades of random sizes, materials, reference frames, stiffening and strains.
 struct RandomRotor {
   int elements = 4;
   HubSupport support = HubSupport::axle;

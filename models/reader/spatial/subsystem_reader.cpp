@@ -4,6 +4,7 @@
 #include <numbers>
 #include <set>
 
+#include "models/reader/blade_sections.h"
 #include "models/reader/loop_reader.h"
 #include "models/reader/spatial/body_reader.h"
 #include "models/reader/spatial/fault.h"

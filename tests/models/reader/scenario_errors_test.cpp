@@ -220,6 +220,11 @@ TEST_CASE("wrong words and wrong types are refused") {
        "f.toml:10:19: blade.reference_frame: is \"cord\", expected \"clamped\" or \"chord\""},
       {"count = 3", "count = 3\ngeometric_stiffening = 1",
        "f.toml:10:24: blade.geometric_stiffening: is 1, expected true or false"},
+      {"count = 3", "count = 3\nstrain = \"green\"",
+       "f.toml:10:10: blade.strain: is \"green\", expected \"linear\" or \"nonlinear\""},
+      {"count = 3", "count = 3\nstrain = \"nonlinear\"\ngeometric_stiffening = false",
+       "f.toml:11:24: blade.geometric_stiffening: is false, expected true, or strain = \"linear\": "
+       "strains of second order make the tension that stiffens"},
       {"step = 0.005", "method = \"euler\"",
        "f.toml:18:10: integration.method: is \"euler\", expected \"generalized_alpha\" or \"rk4\""},
       {"title = \"test\"", "title = 3", "f.toml:1:9: title: is 3, expected text in quotes"},
@@ -319,8 +324,8 @@ TEST_CASE("blades given in both ways or wrongly are refused") {
       {"[[blades]]\ncount = 3\n",
        "f.toml:23:1: blades.1.count: unknown key, expected \"length\", \"bodies\", "
        "\"elements\", \"density\", \"area\", \"second_moment\", \"youngs_modulus\", "
-       "\"geometric_stiffening\", \"reference_frame\", \"azimuth\", \"sections\", \"point_mass\" "
-       "or \"loop\""},
+       "\"geometric_stiffening\", \"reference_frame\", \"strain\", \"azimuth\", \"sections\", "
+       "\"point_mass\" or \"loop\""},
   });
   check_edits({
       {"[blade]", "[[blade]]",
