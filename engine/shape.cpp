@@ -7,6 +7,7 @@
 
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/samples.h"
+#include "engine/plane/nonlinear_strain.h"
 
 namespace spoke {
 namespace {
@@ -130,7 +131,11 @@ void calc_shape(const Blade& blade, const Subsystem<Plane>& subsystem, Subsystem
     for (int k = 1; k <= blade.elements; ++k) {
       shape.nodes.push_back(walk.node(k));
       const double l = walk.element_length();
-      shape.axial_forces.push_back(mean_axial_stiffness(blade, body, k - 1) * walk.stretch() / l);
+      const double stretch =
+          has_nonlinear_strain(data.bodies[j])
+              ? calc_strain(body, data.bodies[j].layout, k - 1, data.bodies[j].coordinates.q)[0]
+              : walk.stretch();
+      shape.axial_forces.push_back(mean_axial_stiffness(blade, body, k - 1) * stretch / l);
       shape.bending_moments.push_back(bending_stiffness(blade, body, k - 1) * walk.turn() / l);
     }
     offset = walk.offset();

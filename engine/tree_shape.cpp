@@ -8,6 +8,7 @@
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/samples.h"
 #include "engine/space/element_products.h"
+#include "engine/space/nonlinear_strain.h"
 #include "engine/space/solid_places.h"
 #include "engine/space/solid_table_terms.h"
 
@@ -58,11 +59,15 @@ double integrate_slopes(const space::BeamElement& element, const ElementFlex& a,
   return sum;
 }
 
-ElementForces calc_forces(const space::BeamElement& element, const ElementFlex& q) {
-  double d[space::kTwist];
-  space::Twist outer;
-  calc_relative(element, q.values.data(), d);
-  space::multiply(element.stiffness.data(), d).store_to(outer.data());
+ElementForces calc_forces(const space::FlexibleBody& body, int e, const double* flex,
+                          const ElementFlex& q) {
+  const space::BeamElement& element = body.beam[static_cast<std::size_t>(e)];
+  space::Twist d, outer;
+  if (body.is_nonlinear())
+    d = calc_strain(body, e, flex);
+  else
+    calc_relative(element, q.values.data(), d.data());
+  space::multiply(element.stiffness.data(), d.data()).store_to(outer.data());
   const Position force = element.axes.transpose() * Position(linear(outer));
   const Position moment =
       element.axes.transpose() *
@@ -139,7 +144,7 @@ class SubsystemWalk {
       const space::BeamElement& element = body.beam[static_cast<std::size_t>(e)];
       const ElementFlex flex(body, e, q), speed(body, e, v);
       if (k > 0) {
-        shape_.bodies[j].forces.push_back(calc_forces(element, flex));
+        shape_.bodies[j].forces.push_back(calc_forces(body, e, q, flex));
         if (data.model->stiffening) {
           shortening += 0.5 * integrate_slopes(element, flex, flex);
           rate += integrate_slopes(element, flex, speed);

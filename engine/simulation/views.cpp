@@ -170,16 +170,14 @@ Wrench calc_section_force(const SystemContext<Space>& context, const Marker& mar
     throw InputError("section_force(): the marker is on a " +
                      std::string(body.model->body->rigid() ? "rigid body" : "solid") +
                      ", expected one on a beam");
-  const auto resultants = [&](const double* flex) {
-    return calc_section_load(*flexible, placed.section, flex).resultants;
-  };
-  space::Twist sum = resultants(body.coordinates.q) +
-                     context.system.damping.stiffness_factor * resultants(body.coordinates.v);
-  if (flexible->is_damped)
-    sum += calc_section_damping(*flexible, placed.section, body.coordinates.v);
+  const space::Section& section = placed.section;
+  const CoordinateBlock& c = body.coordinates;
+  space::Twist sum =
+      calc_section_load(*flexible, section, c.q).resultants +
+      calc_section_damping(*flexible, section, context.system.damping.stiffness_factor, c.q, c.v);
   const std::vector<double> modal =
       calc_modal_deformation(context.system.subsystems[index], data, body);
-  if (!modal.empty()) sum += resultants(modal.data());
+  if (!modal.empty()) sum += calc_section_stress(*flexible, section, modal.data());
   return wrench_in_space(sum);
 }
 

@@ -3,6 +3,7 @@
 #include "engine/space/nonlinear_strain.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <vector>
 
@@ -36,18 +37,22 @@ void set_slope_moments(const FlexibleBody& body, const NodalMotion& at, ElementV
   }
 }
 
-/// Returns psi of the inner node of element e less that of its outer one, from h of the elements.
-double calc_shift(const FlexibleBody& body, int e, const double* h) {
+/// Returns psi of the inner node of element e less that of its outer one, from `h` of the elements.
+template <class SlopeMoment>
+double sum_shift(const FlexibleBody& body, int e, const SlopeMoment& h) {
   double shift = 0.0;
   if (e > 0) {
     const ShiftWeights w = shift_weights(body, e);
-    shift += w.inboard * h[e - 1] + w.outboard * h[e];
+    shift += w.inboard * h(e - 1) + w.outboard * h(e);
   }
   if (e + 1 < body.elements) {
     const ShiftWeights w = shift_weights(body, e + 1);
-    shift -= w.inboard * h[e] + w.outboard * h[e + 1];
+    shift -= w.inboard * h(e) + w.outboard * h(e + 1);
   }
   return shift;
+}
+double calc_shift(const FlexibleBody& body, int e, const double* h) {
+  return sum_shift(body, e, [h](int of) { return h[of]; });
 }
 
 /// Returns the factor of h of element e in the energy: what tension(e) rises along it.
@@ -76,6 +81,39 @@ void visit_strains(const FlexibleBody& body, const double* q, Visit&& visit) {
 }
 
 void add_along(const Position& axis, double shift, Twist& d) { linear(d) += shift * axis; }
+
+/// A flex vector by node at an element and its neighbours.
+class NodesAround {
+ public:
+  NodesAround(const FlexibleBody& body, int e, const double* flex)
+      : body_(body), e_(e), first_(std::max(e - 1, 0)) {
+    const int last = std::min(e + 2, body.elements);
+    for (int i = 0; i < kTwist * (last - first_ + 1); ++i) {
+      const int at = body.coordinate(first_ + i / kTwist, i % kTwist);
+      values_[static_cast<std::size_t>(i)] = at >= 0 ? flex[at] : 0.0;
+    }
+  }
+  /// Returns the values of both nodes of an element.
+  const double* of(int element) const { return values_.data() + kTwist * (element - first_); }
+  PlaneCoordinates planes(int element) const {
+    return in_axes_of(body_.beam[static_cast<std::size_t>(element)], body_.is_straight,
+                      of(element));
+  }
+  /// Calls `visit(strain of the element)`.
+  template <class Visit>
+  auto visit(const Visit& visit) const {
+    const double* q = of(e_);
+    const NodeTurn inner = calc_node_turn(Eigen::Map<const Angular>(q + kRotation));
+    const NodeTurn outer = calc_node_turn(Eigen::Map<const Angular>(q + kTwist + kRotation));
+    const auto at = static_cast<std::size_t>(e_);
+    return visit(ElementStrain(body_.beam[at], body_.second_order[at], inner, outer, q));
+  }
+
+ private:
+  const FlexibleBody& body_;
+  int e_, first_;
+  std::array<double, 4 * kTwist> values_{};
+};
 
 /// Subtracts the forces by the change of tension along the elements.
 void subtract_rises(const FlexibleBody& body, const double* q, const double* tension,
@@ -241,6 +279,29 @@ double subtract_strain_forces(const FlexibleBody& body, double stiffness_factor,
                               const BodyWork& work, double* force) noexcept {
   assert(body.is_nonlinear() && elastic.q && elastic.v && motion.q && motion.v);
   return subtract_forces(body, stiffness_factor, elastic, motion, work, force);
+}
+
+Twist calc_strain(const FlexibleBody& body, int e, const double* q) noexcept {
+  assert(body.is_nonlinear() && e >= 0 && e < body.elements);
+  const NodesAround at(body, e, q);
+  Twist d = at.visit([](const ElementStrain& strain) { return strain.d(); });
+  const auto h = [&](int of) {
+    return calc_slope_moment(body.beam[static_cast<std::size_t>(of)], at.planes(of));
+  };
+  add_along(body.beam[static_cast<std::size_t>(e)].axes.col(0), sum_shift(body, e, h), d);
+  return d;
+}
+
+Twist calc_strain_rate(const FlexibleBody& body, int e, const double* q, const double* v) noexcept {
+  assert(body.is_nonlinear() && e >= 0 && e < body.elements);
+  const NodesAround at(body, e, q), moving(body, e, v);
+  Twist rate = at.visit([&](const ElementStrain& strain) { return strain.rate(moving.of(e)); });
+  const auto h = [&](int of) {
+    return calc_slope_moment_rate(body.beam[static_cast<std::size_t>(of)], at.planes(of),
+                                  moving.planes(of));
+  };
+  add_along(body.beam[static_cast<std::size_t>(e)].axes.col(0), sum_shift(body, e, h), rate);
+  return rate;
 }
 
 void calc_strain_wrenches(const FlexibleBody& body, const double* q, double* scratch,

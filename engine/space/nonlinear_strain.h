@@ -31,6 +31,12 @@ double subtract_strain_forces(const FlexibleBody& body, double stiffness_factor,
 double calc_nonlinear_energy(const FlexibleBody& body, const double* q,
                              const BodyWork& work) noexcept;
 
+/// Returns the strain d of element e at a flex vector, psi included: of second order what
+/// calc_relative() is to first order.
+Twist calc_strain(const FlexibleBody& body, int e, const double* q) noexcept;
+/// Returns its rate at rates v; q, v: flex vectors.
+Twist calc_strain_rate(const FlexibleBody& body, int e, const double* q, const double* v) noexcept;
+
 /// Sets the wrenches K d of the elements, of which the component along the element's axis is their
 /// tension, at coordinates by node; `scratch`: three doubles an element.
 void calc_strain_wrenches(const FlexibleBody& body, const double* q, double* scratch,

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/space/element_products.h"
+#include "engine/space/nonlinear_strain.h"
 #include "models/space/rotation_vector.h"
 #include "models/support/gauss_rule.h"
 #include "models/support/simd.h"
@@ -166,30 +167,49 @@ void add_section_wrench(const Section& section, const HandleMotion& motion, cons
 
 namespace {
 
-/// Returns the resultants by a matrix of the element's relative motion: its stiffness or damping.
-Twist calc_resultants(const FlexibleBody& body, const Section& section, TwistMatrix BeamElement::*m,
-                      const double* flex) noexcept {
+const BeamElement& element_of(const FlexibleBody& body, const Section& section) {
   assert(section.element >= 0 && section.element < body.elements);
-  const BeamElement& element = body.beam[static_cast<std::size_t>(section.element)];
+  return body.beam[static_cast<std::size_t>(section.element)];
+}
+
+/// Returns how the outer node of the section's element moves against the inner one, to first order.
+Twist calc_linear_strain(const FlexibleBody& body, const Section& section, const double* flex) {
   const ElementCoordinates x(body, section.element, flex);
-  double d[kTwist];
+  Twist d;
+  calc_relative(element_of(body, section), x.values, d.data());
+  return d;
+}
+
+Twist resultants_of(const Section& section, const TwistMatrix& matrix, const Twist& d) {
   Twist wrench;
-  calc_relative(element, x.values, d);
-  multiply((element.*m).data(), d).store_to(wrench.data());
+  multiply(matrix.data(), d.data()).store_to(wrench.data());
   return section.W.lazyProduct(wrench);
 }
 
 }  // namespace
 
 Twist calc_section_damping(const FlexibleBody& body, const Section& section,
-                           const double* v) noexcept {
-  return calc_resultants(body, section, &BeamElement::damping, v);
+                           double stiffness_factor, const double* q, const double* v) noexcept {
+  const BeamElement& element = element_of(body, section);
+  const Twist rate = body.is_nonlinear() ? calc_strain_rate(body, section.element, q, v)
+                                         : calc_linear_strain(body, section, v);
+  Twist sum = stiffness_factor * resultants_of(section, element.stiffness, rate);
+  if (body.is_damped) sum += resultants_of(section, element.damping, rate);
+  return sum;
+}
+
+Twist calc_section_stress(const FlexibleBody& body, const Section& section,
+                          const double* flex) noexcept {
+  return resultants_of(section, element_of(body, section).stiffness,
+                       calc_linear_strain(body, section, flex));
 }
 
 SectionLoad calc_section_load(const FlexibleBody& body, const Section& section,
                               const double* q) noexcept {
+  const Twist d = body.is_nonlinear() ? calc_strain(body, section.element, q)
+                                      : calc_linear_strain(body, section, q);
   SectionLoad load;
-  load.resultants = calc_resultants(body, section, &BeamElement::stiffness, q);
+  load.resultants = resultants_of(section, element_of(body, section).stiffness, d);
   load.strains = section.compliance.lazyProduct(load.resultants);
   return load;
 }

@@ -71,8 +71,12 @@ struct SectionLoad {
 };
 SectionLoad calc_section_load(const FlexibleBody& body, const Section& section,
                               const double* q) noexcept;
-/// Returns the resultants by the damping of the element at its velocities v.
+/// Returns the resultants by the damping of the element and stiffness_factor [s] times its
+/// stiffness, at flex vectors q and velocities v.
 Twist calc_section_damping(const FlexibleBody& body, const Section& section,
-                           const double* v) noexcept;
+                           double stiffness_factor, const double* q, const double* v) noexcept;
+/// Returns the resultants of forces that are the stiffness times a flex vector, to first order.
+Twist calc_section_stress(const FlexibleBody& body, const Section& section,
+                          const double* flex) noexcept;
 
 }  // namespace spoke::space

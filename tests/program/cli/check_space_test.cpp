@@ -17,10 +17,13 @@ TEST_CASE("check prints the tree of a model in space, and its mass") {
   CHECK(ended.err.empty());
   for (const char* part :
        {"Articulated rotor with cyclic pitch\n", "in space, 4 trees, 24 bodies, 588 coordinates\n",
-        "  blade 1         body 1 (beam, 0 to 0.3 m, 4 elements), on the hub: fixed\n",
-        "                    body 2 (beam, 0.3 to 0.4 m, 4 elements), on body 1 at 0.3 m: hinges, "
+        "  blade 1         body 1 (beam, 0 to 0.3 m, 4 elements, nonlinear strains), on the hub: "
+        "fixed\n",
+        "                    body 2 (beam, 0.3 to 0.4 m, 4 elements, nonlinear strains), on body 1 "
+        "at 0.3 m: hinges, "
         "universal about [0, -1, 0], [0, 0, 1], free and free\n",
-        "                      body 3 ... body 6 (beam, 0.4 to 7.3 m, 16 elements), on body 2 at "
+        "                      body 3 ... body 6 (beam, 0.4 to 7.3 m, 16 elements, nonlinear "
+        "strains), on body 2 at "
         "0.4 m: pitch, revolute about [1, 0, 0], prescribed\n",
         "67.31 kg, first moment [242.859, 0, 0] kg m\n", "  blade 4         as blade 1\n",
         "  all             269.24 kg, first moment [0, 0, 0] kg m\n"}) {
@@ -214,9 +217,10 @@ TEST_CASE("check prints branches behind the body that they are on") {
   CHECK(ended.status == 0);
   std::size_t at = 0;
   for (const char* line :
-       {"boom / body 1 ... boom / body 2 (beam, 0 to 6 m, 8 elements), on the hub",
+       {"boom / body 1 ... boom / body 2 (beam, 0 to 6 m, 8 elements, nonlinear strains), on the "
+        "hub",
         "  bracket (rigid, 2 kg), on boom / body 1 at 3 m: bracket, fixed",
-        "    panel (beam, 0 to 4 m, 6 elements), on bracket: panel, revolute",
+        "    panel (beam, 0 to 4 m, 6 elements, nonlinear strains), on bracket: panel, revolute",
         "  antenna (rigid, 9 kg), on boom / body 2 at 6 m: gimbal, universal"}) {
     CAPTURE(line);
     at = ended.out.find(line, at);

@@ -14,6 +14,9 @@ using namespace spoke::test;
 
 namespace {
 
+/// Booms that have the tension of the tree.
+const std::string kLinearBooms = with_strain(kBooms, "linear");
+
 const std::string kSteadyHub = R"(
 [hub]
 axis = [0.2, 0.3, 1.0]
@@ -113,9 +116,9 @@ space::Twist sum_momentum(const Run<Space>& run) {
 }  // namespace
 
 TEST_CASE("a rotor on a rigid support has the tension of one on a mount") {
-  const System<Space> axle = make(make_text(kSteadyHub + kShake, kBooms + kHinges, kGravity));
+  const System<Space> axle = make(make_text(kSteadyHub + kShake, kLinearBooms + kHinges, kGravity));
   const System<Space> block =
-      make(make_text(kSteadyHub + kShake, kBooms + kHinges, kBlock + kGravity));
+      make(make_text(kSteadyHub + kShake, kLinearBooms + kHinges, kBlock + kGravity));
   for (const Method& method : {Method{Rk4{1e-3}}, Method{make_generalized_alpha(0.8, 2e-3)}}) {
     const Eigen::VectorXd expected = of_booms(axle, method, 0.4);
     CHECK(largest(expected) > 0.05);
@@ -131,8 +134,8 @@ TEST_CASE("a support whose joint is driven pulls as a mount that moves so") {
   slide.replace(slide.find("kind = \"fixed\""), 14,
                 "kind = \"prismatic\"\naxis = [1.0, 0.0, 0.0]\nmotion = { " + times +
                     "value = [0.0, 0.0, 0.1, 0.15, 0.15] }");
-  const System<Space> axle = make(make_text(kSteadyHub + mount, kBooms, kGravity));
-  const System<Space> driven = make(make_text(kSteadyHub, kBooms, slide + kGravity));
+  const System<Space> axle = make(make_text(kSteadyHub + mount, kLinearBooms, kGravity));
+  const System<Space> driven = make(make_text(kSteadyHub, kLinearBooms, slide + kGravity));
   const Eigen::VectorXd expected = of_booms(axle, Rk4{1e-3}, 0.3);
   CHECK(largest(expected) > 0.05);
   CHECK(largest(of_booms(driven, Rk4{1e-3}, 0.3) - expected) < 1e-9);
@@ -140,7 +143,7 @@ TEST_CASE("a support whose joint is driven pulls as a mount that moves so") {
 
 // A hub that does not turn, out on an arm that does, is a root bracket so far from the axis.
 TEST_CASE("a rotor out on an arm that turns has the tension of a rotor with that radius") {
-  std::string boom = kBooms;
+  std::string boom = kLinearBooms;
   boom.replace(boom.find("count = 2"), 9, "count = 1");
   boom.replace(boom.find("precone = 0.1"), 13, "precone = 0.0");  // which the radius follows
   const auto hub = [](const std::string& radius, const std::string& drive) {
@@ -172,8 +175,8 @@ inertia = [1e8, 1e8, 1e8]
   const std::string force =
       "[[hub_load]]\nframe = \"inertial\"\nforce = [3000000180.0, 0.0, 1200000072.0]\n";
   const std::string weight = "[gravity]\nacceleration = [-30.0, 0.0, -12.0]\n";
-  const System<Space> pulled = make(make_text(kSteadyHub, kBooms, fuselage + force));
-  const System<Space> heavy = make(make_text(kSteadyHub, kBooms, weight));
+  const System<Space> pulled = make(make_text(kSteadyHub, kLinearBooms, fuselage + force));
+  const System<Space> heavy = make(make_text(kSteadyHub, kLinearBooms, weight));
   const Eigen::VectorXd expected = of_booms(heavy, Rk4{1e-3}, 0.4);
   CHECK(largest(expected) > 0.1);
   CHECK(largest(of_booms(pulled, Rk4{1e-3}, 0.4) - expected) < 1e-6);
@@ -187,7 +190,7 @@ TEST_CASE("a free machine keeps energy and momentum, by the order of the method"
   std::string hinges = kHinges;  // without dampers and stops
   hinges.replace(hinges.find("damping"), 7, "# those");
   hinges.erase(hinges.find("stop"));
-  const System<Space> machine = make(make_text(kMachine, kBooms + hinges));
+  const System<Space> machine = make(make_text(kMachine, kLinearBooms + hinges));
   const auto lose = [&machine](const Method& method) {
     Run<Space> run(machine, {method});
     const double energy = calc_energy(run);

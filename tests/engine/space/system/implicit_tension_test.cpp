@@ -39,7 +39,8 @@ const std::string kMotor =
 /// speed.
 Scenario make_spin_up(int steps) {
   return make_scenario("articulated_rotor.toml",
-                       {"hub.drive={kind=\"spin_up\", speed=36, ramp=0.6}", "gravity.ramp=0.6"},
+                       {"hub.drive={kind=\"spin_up\", speed=36, ramp=0.6}", "gravity.ramp=0.6",
+                        "blade.strain=\"linear\""},
                        4e-3, steps);
 }
 

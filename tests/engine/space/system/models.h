@@ -60,6 +60,12 @@ ramp = 0.5
 )";
 
 /// Two soft beams of 2 m, straight and without joints. What follows is of the blades.
+/// Returns blades as kBooms with this strain.
+inline std::string with_strain(std::string blades, const std::string& strain) {
+  const std::string head = "[blade]\n";
+  return blades.insert(blades.find(head) + head.size(), "strain = \"" + strain + "\"\n");
+}
+
 inline const std::string kBooms = R"(
 [blade]
 count = 2
