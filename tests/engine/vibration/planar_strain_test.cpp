@@ -17,7 +17,7 @@
 #include "engine/simulation.h"
 #include "models/scenario.h"
 
-namespace spoke {
+namespace spoke::in_plane {
 namespace {
 
 using doctest::Approx;
@@ -122,12 +122,12 @@ TEST_CASE("a small mass with inertia in the plane turns with its section and mak
 TEST_CASE("a beam in the plane that is swung against a stay moves alike, however it is cut") {
   const auto run = [](const Cut& cut) {
     const std::string swing =
-        "kind = \"table\"\ntime = [0, 0.1, 0.3, 0.4, 1]\nspeed = [0, 8, -8, 0, 0]";
+        "kind = \"table\"\ntime = [0, 0.1, 0.3, 0.4, 1]\nspeed = [0, 3, -3, 0, 0]";
     const std::string stay =
         "[[blade.loop]]\nname = \"stay\"\nkind = \"distance\"\nfrom = {}\nto = { body = "
         "\"mount\", point = [0.5, -1] }\nstiffness = 400\ndamping = 0.2\n[damping]\n"
         "stiffness_factor = 1e-4\n";
-    Simulation simulation(parse_scenario(make_beam(cut, 1e5, 5.0, swing, stay), "beam.toml"));
+    Simulation simulation(parse_scenario(make_beam(cut, 1e5, 20.0, swing, stay), "beam.toml"));
     std::vector<double> tips;
     for (int n = 0; n < 400; ++n) {
       simulation.step();
@@ -137,9 +137,9 @@ TEST_CASE("a beam in the plane that is swung against a stay moves alike, however
     return Eigen::VectorXd(Eigen::Map<Eigen::VectorXd>(tips.data(), std::ssize(tips)));
   };
   const Eigen::VectorXd one = run({1, 8}), size = one.cwiseAbs();
-  CHECK(size.maxCoeff() > 0.1);
+  CHECK(size.maxCoeff() > 0.2);
   for (const Cut& cut : {Cut{2, 4}, Cut{4, 2}, Cut{8, 1}})
-    CHECK((run(cut) - one).cwiseAbs().maxCoeff() < 3e-3 * size.maxCoeff());
+    CHECK((run(cut) - one).cwiseAbs().maxCoeff() < 3e-4 * size.maxCoeff());
 }
 
-}  // namespace spoke
+}  // namespace spoke::in_plane
