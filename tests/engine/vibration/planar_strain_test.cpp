@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -109,6 +110,23 @@ TEST_CASE("a clamped beam in the plane stretches as it bends") {
     REQUIRE(beam.loops.size() == 1);
     CHECK(beam.loops.front().force.x() == Approx(24.95).epsilon(1e-3));
   }
+}
+
+TEST_CASE("strains in the plane tell the load of a section of a beam that is bent far") {
+  const std::string pull =
+      "[initial]\nstate = \"equilibrium\"\n[[load]]\nframe = \"inertial\"\nforce = [40, 30]\n";
+  const Simulation simulation(
+      parse_scenario(make_beam({1, 8}, 1e5, 20.0, kFixed, pull), "beam.toml"));
+  const Marker middle{0, 0, 0.4375}, tip{0, 0, 1.0};  // of the fourth element
+  const MarkerState at = simulation.marker(middle);
+  const Eigen::Vector3d force(40.0, 30.0, 0.0);
+  const Eigen::Vector3d expected = at.rotation.transpose() * force;
+  const Eigen::Vector3d arm = simulation.marker(tip).position - at.position;
+  const double moment = arm.x() * force.y() - arm.y() * force.x();
+  CHECK(at.rotation(1, 0) > 0.2);
+  const Wrench found = simulation.section_force(middle);
+  CHECK((found.force - expected).norm() < 1e-2 * force.norm());
+  CHECK(found.moment.z() == Approx(moment).epsilon(1e-2));
 }
 
 TEST_CASE("a small mass with inertia in the plane turns with its section and makes no moment") {
