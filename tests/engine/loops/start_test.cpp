@@ -2,8 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
+#include <utility>
 
 #include "engine/kernels/samples.h"
 #include "engine/simulation.h"
@@ -130,6 +134,27 @@ TEST_CASE("rows that others make up are redundant, the later of equal ones") {
   equal << 1, 2, 3, 1, 2, 3;
   CHECK(find_redundant_rows(equal, given.topRows(2), 1e-9).is_redundant ==
         std::vector<bool>{false, true});
+}
+
+TEST_CASE("as many rows are redundant as the rank says, and others make them up") {
+  std::srand(11);
+  for (const auto& [count, rank] : {std::pair(8, 5), std::pair(30, 21)}) {
+    const Eigen::MatrixXd rows =
+        Eigen::MatrixXd::Random(count, rank) * Eigen::MatrixXd::Random(rank, 40);
+    const Eigen::MatrixXd given = rows * Eigen::MatrixXd::Random(40, 2);
+    const RowRank found = find_redundant_rows(rows, given, 1e-9);
+    CHECK(std::count(found.is_redundant.begin(), found.is_redundant.end(), false) == rank);
+    Eigen::MatrixXd independent(0, 40);
+    for (Eigen::Index r = 0; r < count; ++r) {
+      if (found.is_redundant[static_cast<std::size_t>(r)]) {
+        CHECK(found.left.row(r).norm() < 1e-12);
+        continue;
+      }
+      independent.conservativeResize(independent.rows() + 1, 40);
+      independent.bottomRows(1) = rows.row(r);
+    }
+    CHECK(independent.fullPivLu().rank() == rank);
+  }
 }
 
 TEST_CASE("what is prescribed shows where the rows that a redundant one is made of do not") {
