@@ -13,7 +13,8 @@
 namespace spoke::cli {
 namespace {
 
-constexpr std::size_t kMostMoved = 12;  // joints that are named
+constexpr std::size_t kMostMoved = 12;     // joints that are named
+constexpr std::size_t kMostRedundant = 4;  // loops that are named for one redundant row
 
 /// Names a place; `own`: the blade.
 std::string describe(const LoopPlace& place, const std::string& own) {
@@ -84,6 +85,24 @@ void print_changed_speeds(const std::vector<ChangedSpeed>& speeds) {
   print_loop_lines("speeds", lines);
 }
 
+/// Returns the lines of redundant rows, "ring / hinge_6: displacement along x": those that follow
+/// one another and differ by their loops alone as one.
+std::vector<std::string> join_redundant(const std::vector<std::string>& rows) {
+  std::vector<std::string> lines;
+  for (std::size_t k = 0; k < rows.size();) {
+    const std::string direction = rows[k].substr(rows[k].rfind(": "));
+    std::string text;
+    std::size_t count = 0;
+    for (; k < rows.size() && rows[k].ends_with(direction); ++k)
+      if (count++ < kMostRedundant)
+        text += (text.empty() ? "" : ", ") + rows[k].substr(0, rows[k].size() - direction.size());
+    if (count > kMostRedundant)
+      text += " and " + counted(static_cast<int>(count - kMostRedundant), "further loop");
+    lines.push_back(text + direction);
+  }
+  return lines;
+}
+
 }  // namespace
 
 void print_loops(const Simulation& simulation) {
@@ -105,7 +124,7 @@ void print_loops(const Simulation& simulation) {
     example = owners[k].name;
   }
   print_loop_lines("loops", lines);
-  print_loop_lines("redundant", start.redundant);
+  print_loop_lines("redundant", join_redundant(start.redundant));
   print_moved_joints(simulation);
 }
 

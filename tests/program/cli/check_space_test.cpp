@@ -382,6 +382,9 @@ TEST_CASE("check prints loops, redundant rows, the mobility, and what was moved"
         std::string::npos);
   CHECK(file_text(folder.path() / "ring.html")
             .find("<td>ring</td><td>5</td><td>0</td><td>5</td><td>1</td>") != std::string::npos);
+  CHECK(run_spoke({"check", shipped("four_bar")}, folder)
+            .out.find("  redundant       linkage / close_1, linkage / close_2: displacement along "
+                      "z\n") != std::string::npos);
   const Ended car =
       run_spoke({"check", shipped("vehicle"), "--set", "subsystem.1.joint.1.initial=0.02"}, folder);
   CHECK(car.status == 0);
