@@ -33,6 +33,7 @@ template <class World>
 struct alignas(kInterferenceSize) SubsystemWork {
   ArenaVector<BodyWork<World>> bodies;
   std::vector<int> root_bodies;  ///< bodies that the hub carries
+  std::vector<int> root_at;      ///< by body: its place among these; -1: another carries it
   ArenaVector<tree::RootElimination<World>> roots;
   ArenaVector<double> storage;  ///< memory of all bodies
   /// Whether the subsystem has rigid bodies alone, in space: they are eliminated by their masses
@@ -68,8 +69,7 @@ void fill_loop_matrix(const Subsystem<World>& subsystem, const SubsystemWork<Wor
 
 /// Adds to the accelerations at joints and roots what the loops' forces make of them, for recovery.
 template <class World>
-void load_joints_by_loops(const Subsystem<World>& subsystem, const SubsystemData<World>& data,
-                          SubsystemWork<World>& work) noexcept;
+void load_joints_by_loops(const SubsystemData<World>& data, SubsystemWork<World>& work) noexcept;
 
 /// Calculates joint wrenches from the roots to the tips (P 8), from the hub's acceleration; by
 /// masses the bodies' accelerations as well, in `work`.

@@ -25,12 +25,6 @@ space::Twist acceleration_of(const BodyData<Space>& body, const space::Twist& X,
   return refer(-place_of(body, h), X) + body.work.port.free[h];
 }
 
-std::size_t root_index(const SubsystemWork<Space>& work, int body) {
-  std::size_t k = 0;
-  while (work.root_bodies[k] != body) ++k;
-  return k;
-}
-
 /// The elimination of one joint, of a root or not.
 struct MassJoint {
   const space::SymmetricTwistMatrix& mass;
@@ -38,7 +32,8 @@ struct MassJoint {
 };
 MassJoint joint_at(const SubsystemWork<Space>& work, int body, bool is_root) {
   if (is_root) {
-    const tree::RootElimination<Space>& root = work.roots[root_index(work, body)];
+    const tree::RootElimination<Space>& root =
+        work.roots[static_cast<std::size_t>(work.root_at[static_cast<std::size_t>(body)])];
     return {root.mass, root.response};
   }
   const tree::JointElimination<Space>& joint = work.bodies[static_cast<std::size_t>(body)].joint;
@@ -58,52 +53,66 @@ class MassLoop {
         loop_(subsystem.loops[loop]),
         path_(data.loops.paths[loop]),
         work_(work),
-        data_(data) {}
+        data_(data),
+        from_at_(path_.place_of(loop_.from.body)),
+        to_at_(path_.place_of(loop_.to.body)) {}
 
   void eliminate() {
     for (int row = 0; row < path_.rows; ++row) eliminate(row);
   }
 
  private:
+  space::Twist& branch(int at, int of_loop) { return data_.loops.branch(path_, at, of_loop); }
+
   void eliminate(int of_loop) {
     LoopData<Space>& loops = data_.loops;
-    const int row = path_.first_row + of_loop;
-    const auto r = static_cast<std::size_t>(row);
-    for (int body = 0; body < loops.bodies; ++body) loops.branch(body, row).setZero();
+    const auto r = static_cast<std::size_t>(path_.first_row + of_loop);
+    const int bodies = static_cast<int>(path_.bodies.size());
+    for (int k = 0; k < bodies; ++k) branch(k, of_loop).setZero();
     loops.free[r] = 0.0;
     loops.hub[r] = loops.states[r].hub;
     for (std::size_t k = 0; k < path_.joints.size() + path_.roots.size(); ++k)
       for (auto* columns : {&loops.joints, &loops.joint_forces})
         (*columns)[path_.column(k, of_loop)].setZero();
     if (loops.use[r] == LoopRowUse::dropped) return;
-    put_unit_force(row);
+    put_unit_force(of_loop);
     std::size_t joint = 0, root = path_.joints.size();
-    for (const int body : path_.bodies) {
+    for (int k = 0; k < bodies; ++k) {
+      const int body = path_.bodies[static_cast<std::size_t>(k)];
       for (; joint < path_.joints.size() && path_.joints[joint].parent == body; ++joint)
-        if (path_.joints[joint].carries) pass_joint(path_.joints[joint], row, of_loop, joint);
+        if (path_.joints[joint].carries())
+          pass_joint(path_.joints[joint], of_loop, path_.column(joint, of_loop),
+                     branch(k, of_loop));
       if (subsystem_.bodies[static_cast<std::size_t>(body)].parent < 0)
-        pass_root(body, row, path_.column(root++, of_loop));
+        pass_root(body, of_loop, path_.column(root++, of_loop), branch(k, of_loop));
     }
   }
 
-  void put_unit_force(int row) {
-    LoopData<Space>& loops = data_.loops;
-    const auto r = static_cast<std::size_t>(row);
-    for_places_on_bodies(
-        loop_, loops.states[r], [&](const LoopPlaceModel& place, const space::Twist& u) {
-          const BodyData<Space>& body = data_.bodies[static_cast<std::size_t>(place.body)];
-          loops.branch(place.body, row) += translate(place_of(body, place.handle), u);
-          loops.free[r] += u.dot(acceleration_of(body, space::Twist::Zero(), place.handle));
-        });
+  void put_unit_force(int of_loop) {
+    const auto r = static_cast<std::size_t>(path_.first_row + of_loop);
+    const LoopRowState<Space>& row = data_.loops.states[r];
+    put_unit_force(loop_.from, row.from, r, branch(from_at_, of_loop));
+    if (to_at_ >= 0) put_unit_force(loop_.to, row.to, r, branch(to_at_, of_loop));
   }
 
-  /// Takes off b what the joint's coordinates yield; returns it, in the parent's frame. `a`: of
+  /// Adds the wrench u on the handle of a place to b, and what it does with the free acceleration.
+  void put_unit_force(const LoopPlaceModel& place, const space::Twist& u, std::size_t r,
+                      space::Twist& b) {
+    if (place.handle == 0) {
+      b += u;  // on the frame, whose acceleration is zero
+      return;
+    }
+    const BodyData<Space>& body = data_.bodies[static_cast<std::size_t>(place.body)];
+    b += translate(place_of(body, place.handle), u);
+    data_.loops.free[r] += u.dot(body.work.port.free[place.handle]);
+  }
+
+  /// Takes off b what the joint's coordinates yield, and turns it to the parent's frame. `a`: of
   /// the handle that carries the joint, at zero acceleration of its frame.
-  const space::Twist& yield(const MassJoint& joint, const space::JointTerms& terms, int child,
-                            int row, std::size_t column, const space::Twist& a) {
+  void yield(const MassJoint& joint, const space::JointTerms& terms, int of_loop,
+             std::size_t column, const space::Twist& a, space::Twist& b) {
     LoopData<Space>& loops = data_.loops;
-    space::Twist& b = loops.branch(child, row);
-    double& free = loops.free[static_cast<std::size_t>(row)];
+    double& free = loops.free[static_cast<std::size_t>(path_.first_row + of_loop)];
     b = terms.R * b;
     for (int c = 0; c < terms.coordinates; ++c) {
       const auto k = static_cast<std::size_t>(c);
@@ -114,25 +123,24 @@ class MassLoop {
       loops.joint_forces[column][c] = joint.response.yield[k] * g;
     }
     free -= b.dot(tree::calc_r<Space>(terms, a));
-    return b;
   }
 
-  void pass_joint(const LoadedJoint& joint, int row, int of_loop, std::size_t at) {
+  /// `on_parent`: wrench on the parent, to which is added.
+  void pass_joint(const LoadedJoint& joint, int of_loop, std::size_t column,
+                  space::Twist& on_parent) {
     const auto c = static_cast<std::size_t>(joint.child);
     const BodyData<Space>& parent = data_.bodies[static_cast<std::size_t>(joint.parent)];
     const space::JointTerms terms = joint_of(subsystem_, data_, c);
-    const space::Twist& b = yield(joint_at(work_, joint.child, false), terms, joint.child, row,
-                                  path_.column(at, of_loop),
-                                  acceleration_of(parent, space::Twist::Zero(), joint.handle));
-    data_.loops.branch(joint.parent, row) +=
-        translate(place_of(parent, joint.handle), translate(terms.p, b));
+    space::Twist& b = branch(joint.child_at, of_loop);
+    yield(joint_at(work_, joint.child, false), terms, of_loop, column,
+          acceleration_of(parent, space::Twist::Zero(), joint.handle), b);
+    on_parent += translate(place_of(parent, joint.handle), translate(terms.p, b));
   }
 
-  void pass_root(int body, int row, std::size_t column) {
+  void pass_root(int body, int of_loop, std::size_t column, space::Twist& b) {
     const space::JointTerms terms = joint_of(subsystem_, data_, static_cast<std::size_t>(body));
-    const space::Twist& b =
-        yield(joint_at(work_, body, true), terms, body, row, column, space::Twist::Zero());
-    data_.loops.hub[static_cast<std::size_t>(row)] += translate(terms.p, b);
+    yield(joint_at(work_, body, true), terms, of_loop, column, space::Twist::Zero(), b);
+    data_.loops.hub[static_cast<std::size_t>(path_.first_row + of_loop)] += translate(terms.p, b);
   }
 
   const Subsystem<Space>& subsystem_;
@@ -140,6 +148,7 @@ class MassLoop {
   const LoopPath& path_;
   const SubsystemWork<Space>& work_;
   SubsystemData<Space>& data_;
+  int from_at_, to_at_;  ///< places of the closure's bodies in the path; -1: no body carries `to`
 };
 
 }  // namespace

@@ -133,7 +133,7 @@ void add_loop_factor(const Assembly<World>& g, int i) {
   for (std::size_t k = 0; k < subsystem.loops.size(); ++k) add_columns(g, i, k);
   PartList inputs = factor_inputs(g, i);
   add(own.loops.columns, inputs);
-  // Entries above D's diagonal stay.
+  // The first pivots stay.
   inputs.push_back(own.loops.factor);
   const auto add_node = [&](auto fill) {
     g.builder.add_node(g.label(stages::kLoopFactor, i), reads(inputs),
@@ -183,9 +183,9 @@ void add_loop_forces(const Assembly<World>& g, int i) {
   if (c.formulation == Formulation::structured) {
     add(own.joints(), inputs);
     add(own.joints(), outputs);
-    return add_node([&subsystem, &data, &work = c.work.structured[i]]() noexcept {
+    return add_node([&data, &work = c.work.structured[i]]() noexcept {
       calc_loop_forces(data);
-      structured::load_joints_by_loops(subsystem, data, work);
+      structured::load_joints_by_loops(data, work);
     });
   }
   add_node([&subsystem, &data, &work = c.work.subsystem[i]]() noexcept {

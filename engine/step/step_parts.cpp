@@ -124,14 +124,13 @@ void add_loop_columns(SystemContext<World>& context, int i, std::size_t k, const
   Memory columns{bytes_of(loops.hub[row], rows), bytes_of(loops.free[row], rows)};
   const std::string own = name + "loop " + std::to_string(k + 1) + " / ";
   if (context.formulation == Formulation::structured) {
-    const auto bodies = static_cast<std::size_t>(loops.bodies);
-    const auto handles = static_cast<std::size_t>(loops.handles);
-    columns.push_back(bytes_of(loops.branches[row * bodies], rows * bodies));
+    columns.push_back(bytes_of(loops.branches[path.first_branch], path.branches()));
     for (auto* of_joints : {&loops.joints, &loops.joint_forces})
       columns.push_back(bytes_of((*of_joints)[path.first_joint], path.columns()));
     if (!context.work.structured[i].by_mass)
       parts.scratch.push_back(builder.add_part(
-          own + "scratch", {bytes_of(loops.scratch[row * handles], rows * handles)}));
+          own + "scratch",
+          {bytes_of(loops.scratch[path.first_handle], static_cast<std::size_t>(path.handles))}));
   } else {
     auto& work = context.work.subsystem[i].loops[k];
     columns.push_back(memory_of(work.right));
@@ -159,7 +158,7 @@ LoopParts add_loop_parts(SystemContext<World>& context, int i, const std::string
   if (context.formulation != Formulation::augmented) {
     for (std::size_t k = 0; k < loops.paths.size(); ++k)
       add_loop_columns(context, i, k, name, builder, parts);
-    factor.push_back(bytes_of(loops.matrix[0], rows * rows));
+    factor.push_back(bytes_of(loops.matrix.values()[0], loops.matrix.values().size()));
     factor.push_back(bytes_of(loops.half_hub[0], rows));
     factor.push_back(bytes_of(loops.half[0], rows));
     for (auto* pivots : {&loops.pivots, &loops.first_explicit, &loops.first_implicit})

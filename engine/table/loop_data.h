@@ -3,11 +3,15 @@
 // A subsystem's closed loops in the table (docs/formulation.md, section 12). Rows of all its loops
 // are numbered through, loop after loop.
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "engine/support/page_arena.h"
+#include "engine/support/skyline.h"
 #include "engine/table/step_progress.h"
 #include "models/plane/plane.h"
 #include "models/space/space.h"
@@ -45,7 +49,9 @@ struct LoadedJoint {
   int parent = 0;
   int child = 0;
   int handle = 0;
-  bool carries = false;  ///< whether the child carries the loop, too
+  int child_at = -1;  ///< place of the child among the path's bodies; -1: it carries no loop
+
+  bool carries() const { return child_at >= 0; }
 };
 
 /// The bodies and joints of a tree that the forces of one loop load.
@@ -55,8 +61,16 @@ struct LoopPath {
   std::vector<int> bodies;          ///< that carry it, directly or not, from the tips to the hub
   std::vector<LoadedJoint> joints;  ///< of these bodies' children, in the order of elimination
   std::vector<int> roots;           ///< those of the bodies that the hub carries
+  int handles = 0;                  ///< most of one of its bodies: the inboard one, and children's
   std::size_t first_joint = 0;      ///< place of the first joint's columns in LoopData::joints
+  std::size_t first_branch = 0;     ///< place of its rows' bodies in LoopData::branches
+  std::size_t first_handle = 0;     ///< place in LoopData::scratch
 
+  /// Returns the place of a body in `bodies`; -1: it is none of them.
+  int place_of(int body) const {
+    const auto at = std::lower_bound(bodies.begin(), bodies.end(), body, std::greater<>());
+    return at != bodies.end() && *at == body ? static_cast<int>(at - bodies.begin()) : -1;
+  }
   /// Returns the place of the columns of a joint, or behind these of a root.
   std::size_t column(std::size_t joint, int row) const {
     return first_joint + joint * static_cast<std::size_t>(rows) + static_cast<std::size_t>(row);
@@ -64,6 +78,7 @@ struct LoopPath {
   std::size_t columns() const {
     return (joints.size() + roots.size()) * static_cast<std::size_t>(rows);
   }
+  std::size_t branches() const { return bodies.size() * static_cast<std::size_t>(rows); }
 };
 
 /// What the loops of a subsystem did in a pass.
@@ -88,11 +103,13 @@ template <class World>
 struct LoopData {
   // Constants.
   int rows = 0;
-  int bodies = 0;               ///< of the subsystem
-  int handles = 0;              ///< most of a body: the inboard one, and those of children
-  std::vector<LoopPath> paths;  ///< by loop
-  std::vector<LoopRowUse> use;  ///< by row
-  int last_body = -1;           ///< the last body that carries a loop
+  std::vector<LoopPath> paths;          ///< by loop
+  std::vector<LoopRowUse> use;          ///< by row
+  int last_body = -1;                   ///< the last body that carries a loop
+  std::vector<std::vector<int>> meets;  ///< by loop: itself and those before that share a body
+  /// The order in which rows are eliminated: by place in it the row, and by row the place. Rows of
+  /// one loop follow one another.
+  std::vector<int> row_at, place_of;
 
   // "loop motion"
   ArenaVector<PoseOf<World>> poses;           ///< of bodies, in H
@@ -102,15 +119,16 @@ struct LoopData {
   /// By loaded joint, then by root, and row: relative acceleration at joints, acceleration of
   /// roots; and the wrenches that joints and roots transmit for it.
   ArenaVector<TwistOf<World>> joints, joint_forces;
-  ArenaVector<TwistOf<World>> hub;       ///< N, by row: of the row per Y''
-  ArenaVector<double> free;              ///< relative acceleration by row without unit forces
-  ArenaVector<TwistOf<World>> branches;  ///< by row and body: acceleration of its inboard handle
-  ArenaVector<TwistOf<World>> scratch;   ///< by row and handle of a body: its acceleration
-  // "loop factor"
-  ArenaVector<double> matrix;            ///< D, rows x rows; then its Cholesky factor
+  ArenaVector<TwistOf<World>> hub;  ///< N, by row: of the row per Y''
+  ArenaVector<double> free;         ///< relative acceleration by row without unit forces
+  /// By loop, row and body of its path: acceleration of the body's inboard handle.
+  ArenaVector<TwistOf<World>> branches;
+  ArenaVector<TwistOf<World>> scratch;  ///< by loop and handle of a body: its acceleration
+  // "loop factor"; here rows are in the order of elimination.
+  Skyline matrix;                        ///< D; then its Cholesky factor
   ArenaVector<TwistOf<World>> half_hub;  ///< L^-1 N
-  ArenaVector<double> half;              ///< L^-1 (target - free)
-  /// By row, on D's diagonal; and those at the start, of explicit and of implicit passes.
+  ArenaVector<double> half;              ///< L^-1 (target - free); by "loop forces" the forces
+  /// On D's diagonal; and those at the start, of explicit and of implicit passes.
   ArenaVector<double> pivots, first_explicit, first_implicit;
   // "loop forces"
   ArenaVector<double> multipliers;  ///< by row [N, N m]
@@ -120,23 +138,24 @@ struct LoopData {
   ArenaVector<double> kept_multipliers;  ///< by row
 
   bool is_empty() const { return rows == 0; }
-  /// Acceleration of the inboard handle of a body that carries the loop of a row.
-  TwistOf<World>& branch(int body, int row) {
-    assert(row >= 0 && row < rows && body >= 0 && body < bodies);
-    return branches[static_cast<std::size_t>(row * bodies + body)];
+  /// Acceleration of the inboard handle of a body of a path, for a row of its loop.
+  TwistOf<World>& branch(const LoopPath& path, int at, int of_loop) {
+    assert(at >= 0 && std::cmp_less(at, path.bodies.size()) && of_loop >= 0);
+    return branches[path.first_branch + path.bodies.size() * static_cast<std::size_t>(of_loop) +
+                    static_cast<std::size_t>(at)];
   }
-  const TwistOf<World>& branch(int body, int row) const {
-    return const_cast<LoopData&>(*this).branch(body, row);
+  const TwistOf<World>& branch(const LoopPath& path, int at, int of_loop) const {
+    return const_cast<LoopData&>(*this).branch(path, at, of_loop);
   }
   /// Acceleration of a handle of the body at hand.
-  TwistOf<World>& handle(int h, int row) {
-    assert(row >= 0 && row < rows && h >= 0 && h < handles);
-    return scratch[static_cast<std::size_t>(row * handles + h)];
+  TwistOf<World>& handle(const LoopPath& path, int h) {
+    assert(h >= 0 && h < path.handles);
+    return scratch[path.first_handle + static_cast<std::size_t>(h)];
   }
-  /// Element of the lower triangle of D.
+  /// Element of D, by rows.
   double& entry(int r, int c) {
-    assert(0 <= c && c <= r && r < rows);
-    return matrix[static_cast<std::size_t>(r * rows + c)];
+    const int p = place_of[static_cast<std::size_t>(r)], q = place_of[static_cast<std::size_t>(c)];
+    return matrix.entry(std::max(p, q), std::min(p, q));
   }
 };
 

@@ -8,7 +8,9 @@
 //   D = sum u^T P_ll' u' - sum K^T Pi K',    free = sum u . a_l - sum K . (Pi r + s)
 // At a root, A_0 in place of K, -(free - R^T b) in place of r, and N = T^T R Pi A_0.
 
+#include <array>
 #include <cassert>
+#include <utility>
 
 #include "engine/formulation/loops.h"
 #include "engine/formulation/structured/tree_elimination.h"
@@ -68,14 +70,6 @@ space::Twist transmitted(const space::JointTerms& joint, const tree::RootElimina
          root.response.wrench;
 }
 
-template <class World>
-std::size_t root_index(const SubsystemWork<World>& work, int body) {
-  for (std::size_t k = 0; k < work.root_bodies.size(); ++k)
-    if (work.root_bodies[k] == body) return k;
-  assert(false && "the hub carries the body");
-  return 0;
-}
-
 /// The columns of one loop, in the order of elimination.
 template <class World>
 class LoopEliminator {
@@ -89,80 +83,82 @@ class LoopEliminator {
         data_(data) {}
 
   void eliminate() {
-    for (int row = 0; row < path_.rows; ++row) eliminate(path_.first_row + row);
+    for (int h = 0; h < path_.handles; ++h) at(h).setZero();
+    for (int row = 0; row < path_.rows; ++row) eliminate(row);
   }
 
  private:
   using Vector = TwistOf<World>;
 
   /// Acceleration A_h of a handle of the body at hand.
-  Vector& at(int h, int row) { return data_.loops.handle(h, row); }
+  Vector& at(int h) { return data_.loops.handle(path_, h); }
+  Vector& branch(int body_at, int of_loop) { return data_.loops.branch(path_, body_at, of_loop); }
 
-  void eliminate(int row) {
+  void eliminate(int of_loop) {
     LoopData<World>& loops = data_.loops;
-    const auto r = static_cast<std::size_t>(row);
-    // What is no part of the way, or takes no part, is zero.
-    for (int body = 0; body < loops.bodies; ++body) loops.branch(body, row).setZero();
-    for (int h = 0; h < loops.handles; ++h) at(h, row).setZero();
+    const auto r = static_cast<std::size_t>(path_.first_row + of_loop);
     loops.free[r] = 0.0;
     loops.hub[r] = loops.states[r].hub;
-    const int of_loop = row - path_.first_row;
     if (loops.use[r] == LoopRowUse::dropped) return clear(of_loop);
     std::size_t joint = 0, root = path_.joints.size();
-    for (const int body : path_.bodies) {
-      begin_body(body, row);
+    for (int k = 0; std::cmp_less(k, path_.bodies.size()); ++k) {
+      const int body = path_.bodies[static_cast<std::size_t>(k)];
+      begin_body(body, r);
       for (; joint < path_.joints.size() && path_.joints[joint].parent == body; ++joint)
-        eliminate_joint(path_.joints[joint], row, path_.column(joint, of_loop));
-      loops.branch(body, row) = at(0, row);
+        eliminate_joint(path_.joints[joint], of_loop, path_.column(joint, of_loop));
+      branch(k, of_loop) = at(0);
       if (subsystem_.bodies[static_cast<std::size_t>(body)].parent < 0)
-        eliminate_root(body, row, path_.column(root++, of_loop));
+        eliminate_root(body, branch(k, of_loop), r, path_.column(root++, of_loop));
     }
   }
 
-  void clear(int row) {
+  /// What takes no part is zero.
+  void clear(int of_loop) {
+    for (int k = 0; std::cmp_less(k, path_.bodies.size()); ++k) branch(k, of_loop).setZero();
     for (std::size_t k = 0; k < path_.joints.size() + path_.roots.size(); ++k)
       for (auto* columns : {&data_.loops.joints, &data_.loops.joint_forces})
-        (*columns)[path_.column(k, row)].setZero();
+        (*columns)[path_.column(k, of_loop)].setZero();
   }
 
-  void begin_body(int body, int row) {
-    const auto r = static_cast<std::size_t>(row);
+  void begin_body(int body, std::size_t r) {
     const int children =
         static_cast<int>(subsystem_.bodies[static_cast<std::size_t>(body)].children.size());
-    for (int h = 0; h <= children; ++h) at(h, row).setZero();
+    for (int h = 0; h <= children; ++h) at(h).setZero();
     for_places_on_bodies(
         loop_, data_.loops.states[r], [&](const LoopPlaceModel& place, const Vector& u) {
           if (place.body != body) return;
           for (int h = 0; h <= children; ++h)
-            at(h, row) += respond(data_, work_, body, h, place.handle, u);
+            at(h) += respond(data_, work_, body, h, place.handle, u);
           data_.loops.free[r] += u.dot(free_acceleration(data_, work_, body, place.handle));
         });
   }
 
-  void eliminate_joint(const LoadedJoint& joint, int row, std::size_t column) {
+  void eliminate_joint(const LoadedJoint& joint, int of_loop, std::size_t column) {
     Vector& K = data_.loops.joints[column];
     const auto c = static_cast<std::size_t>(joint.child);
     const tree::JointElimination<World>& elimination = work_.bodies[c].joint;
-    K = -at(joint.handle, row);
-    if (joint.carries)
-      K += carry_inward(joint_of(subsystem_, data_, c), data_.loops.branch(joint.child, row));
+    K = -at(joint.handle);
+    if (joint.carries())
+      K += carry_inward(joint_of(subsystem_, data_, c), branch(joint.child_at, of_loop));
     const Vector f = elimination.Pi * K;
     data_.loops.joint_forces[column] = f;
     for (int h = 0; h < joint.handle; ++h)
-      at(h, row) += respond(data_, work_, joint.parent, h, joint.handle, f);
-    data_.loops.free[static_cast<std::size_t>(row)] -= K.dot(transmitted(elimination));
+      at(h) += respond(data_, work_, joint.parent, h, joint.handle, f);
+    data_.loops.free[static_cast<std::size_t>(path_.first_row + of_loop)] -=
+        K.dot(transmitted(elimination));
   }
 
-  void eliminate_root(int body, int row, std::size_t column) {
-    const auto r = static_cast<std::size_t>(row);
-    const tree::RootElimination<World>& root = work_.roots[root_index(work_, body)];
-    const auto joint = joint_of(subsystem_, data_, static_cast<std::size_t>(body));
-    const Vector& A = data_.loops.branch(body, row);
+  void eliminate_root(int body, const Vector& A, std::size_t r, std::size_t column) {
+    LoopData<World>& loops = data_.loops;
+    const auto j = static_cast<std::size_t>(body);
+    const tree::RootElimination<World>& root =
+        work_.roots[static_cast<std::size_t>(work_.root_at[j])];
+    const auto joint = joint_of(subsystem_, data_, j);
     const Vector f = root.mass * A;
-    data_.loops.joints[column] = A;
-    data_.loops.joint_forces[column] = f;
-    data_.loops.hub[r] += translate(joint.p, Vector(joint.R * f));
-    data_.loops.free[r] -= A.dot(transmitted(joint, root));
+    loops.joints[column] = A;
+    loops.joint_forces[column] = f;
+    loops.hub[r] += translate(joint.p, Vector(joint.R * f));
+    loops.free[r] -= A.dot(transmitted(joint, root));
   }
 
   const Subsystem<World>& subsystem_;
@@ -182,31 +178,34 @@ class LoopCoupling {
 
   void couple(std::size_t a, std::size_t b) {
     const LoopPath &of_a = data_.loops.paths[a], &of_b = data_.loops.paths[b];
+    for (auto& row : yielded_) row.fill(0.0);
+    add_joints(of_a, of_b);
+    add_roots(of_a, of_b);
     for (int i = 0; i < of_a.rows; ++i)
-      for (int j = 0; j < of_b.rows && (a != b || j <= i); ++j)
-        data_.loops.entry(of_a.first_row + i, of_b.first_row + j) =
-            !takes_part(of_a.first_row + i) || !takes_part(of_b.first_row + j) ? 0.0
-                                                                               : couple(a, b, i, j);
+      for (int j = 0; j < of_b.rows && (a != b || j <= i); ++j) {
+        const int r = of_a.first_row + i, c = of_b.first_row + j;
+        if (!takes_part(r) || !takes_part(c)) continue;
+        // By masses rigid bodies yield nothing but what their joints' coordinates do.
+        data_.loops.entry(r, c) = work_.by_mass ? yielded(i, j)
+                                                : at_places(a, b, static_cast<std::size_t>(r),
+                                                            static_cast<std::size_t>(c)) -
+                                                      yielded(i, j);
+      }
   }
 
  private:
   using Vector = TwistOf<World>;
+  static constexpr std::size_t kMostRows = 6;
 
   bool takes_part(int row) const {
     return data_.loops.use[static_cast<std::size_t>(row)] != LoopRowUse::dropped;
   }
-
-  double couple(std::size_t a, std::size_t b, int i, int j) const {
-    const LoopPath &of_a = data_.loops.paths[a], &of_b = data_.loops.paths[b];
-    const double joints = at_joints(of_a, of_b, i, j), roots = at_roots(of_a, of_b, i, j);
-    // By masses rigid bodies yield nothing but what their joints' coordinates do.
-    return work_.by_mass ? joints + roots : at_places(a, b, i, j) - joints - roots;
+  double& yielded(int i, int j) {
+    return yielded_[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
   }
 
-  double at_places(std::size_t a, std::size_t b, int i, int j) const {
+  double at_places(std::size_t a, std::size_t b, std::size_t r, std::size_t c) const {
     const LoopData<World>& loops = data_.loops;
-    const auto r = static_cast<std::size_t>(loops.paths[a].first_row + i);
-    const auto c = static_cast<std::size_t>(loops.paths[b].first_row + j);
     double sum = 0.0;
     for_places_on_bodies(
         subsystem_.loops[a], loops.states[r], [&](const LoopPlaceModel& place, const Vector& u) {
@@ -220,39 +219,42 @@ class LoopCoupling {
     return sum;
   }
 
-  /// Returns K^T f of a joint or root of each loop.
-  double at_column(const LoopPath& a, std::size_t x, int i, const LoopPath& b, std::size_t y,
-                   int j) const {
-    return data_.loops.joints[a.column(x, i)].dot(data_.loops.joint_forces[b.column(y, j)]);
+  /// Adds K^T f' of a joint or root of each loop, by row and column.
+  void add_columns(const LoopPath& a, std::size_t x, const LoopPath& b, std::size_t y) {
+    assert(std::cmp_less_equal(a.rows, kMostRows) && std::cmp_less_equal(b.rows, kMostRows));
+    for (int i = 0; i < a.rows; ++i)
+      for (int j = 0; j < b.rows; ++j)
+        yielded(i, j) +=
+            data_.loops.joints[a.column(x, i)].dot(data_.loops.joint_forces[b.column(y, j)]);
   }
 
-  /// Sums K^T f' over the joints that both load, whose lists have one order.
-  double at_joints(const LoopPath& a, const LoopPath& b, int i, int j) const {
-    double sum = 0.0;
+  /// Goes through the joints that both load, whose lists have one order. By masses those load
+  /// nothing that carry no loop.
+  void add_joints(const LoopPath& a, const LoopPath& b) {
     for (std::size_t m = 0, n = 0; m < a.joints.size() && n < b.joints.size();) {
       const LoadedJoint &x = a.joints[m], &y = b.joints[n];
-      if (x.child == y.child)
-        sum += at_column(a, m++, i, b, n++, j);
-      else if (x.parent > y.parent || (x.parent == y.parent && x.handle > y.handle))
+      if (x.child == y.child) {
+        if (!work_.by_mass || (x.carries() && y.carries())) add_columns(a, m, b, n);
         ++m;
-      else
         ++n;
+      } else if (x.parent > y.parent || (x.parent == y.parent && x.handle > y.handle)) {
+        ++m;
+      } else {
+        ++n;
+      }
     }
-    return sum;
   }
 
-  double at_roots(const LoopPath& a, const LoopPath& b, int i, int j) const {
-    double sum = 0.0;
+  void add_roots(const LoopPath& a, const LoopPath& b) {
     for (std::size_t m = 0; m < a.roots.size(); ++m)
       for (std::size_t n = 0; n < b.roots.size(); ++n)
-        if (a.roots[m] == b.roots[n])
-          sum += at_column(a, a.joints.size() + m, i, b, b.joints.size() + n, j);
-    return sum;
+        if (a.roots[m] == b.roots[n]) add_columns(a, a.joints.size() + m, b, b.joints.size() + n);
   }
 
   const Subsystem<World>& subsystem_;
   const SubsystemWork<World>& work_;
   SubsystemData<World>& data_;
+  std::array<std::array<double, kMostRows>, kMostRows> yielded_;
 };
 
 }  // namespace
@@ -269,65 +271,68 @@ template <class World>
 void fill_loop_matrix(const Subsystem<World>& subsystem, const SubsystemWork<World>& work,
                       SubsystemData<World>& data) noexcept {
   run_kernel([&]() noexcept {
+    data.loops.matrix.set_zero();
     LoopCoupling<World> coupling(subsystem, work, data);
     for (std::size_t a = 0; a < subsystem.loops.size(); ++a)
-      for (std::size_t b = 0; b <= a; ++b) coupling.couple(a, b);
+      for (const int b : data.loops.meets[a]) coupling.couple(a, static_cast<std::size_t>(b));
   });
 }
 
 namespace {
 
-/// Adds the force `lambda` of a row to what a joint gives; `column`: of the row at this joint.
+/// Adds the forces of a loop's rows to what a joint gives; `at`: of the joint, or behind these of
+/// the root, among those that the loop loads; `child_at`: place of its child in the path.
 template <class World, class Elimination>
-void load_joint(const LoopData<World>& loops, bool by_mass, int child, int row, std::size_t column,
-                Elimination& joint, TwistOf<World>& rhs) {
-  const double lambda = loops.multipliers[static_cast<std::size_t>(row)];
-  if constexpr (tree::kHasJointCoordinates<World>)
-    if (by_mass) {
-      joint.response.wrench += lambda * loops.branch(child, row);
-      for (int c = 0; c < World::kMostJointCoordinates; ++c)
-        joint.response.given[static_cast<std::size_t>(c)] += lambda * loops.joint_forces[column][c];
-      return;
-    }
-  rhs += lambda * loops.joints[column];
+void load_joint(const LoopData<World>& loops, const LoopPath& path, std::size_t at, int child_at,
+                bool by_mass, Elimination& joint, TwistOf<World>& rhs) {
+  for (int row = 0; row < path.rows; ++row) {
+    const double lambda = loops.multipliers[static_cast<std::size_t>(path.first_row + row)];
+    if (lambda == 0.0) continue;  // of redundant rows
+    const std::size_t column = path.column(at, row);
+    if constexpr (tree::kHasJointCoordinates<World>)
+      if (by_mass) {
+        joint.response.wrench += lambda * loops.branch(path, child_at, row);
+        for (int c = 0; c < World::kMostJointCoordinates; ++c)
+          joint.response.given[static_cast<std::size_t>(c)] +=
+              lambda * loops.joint_forces[column][c];
+        continue;
+      }
+    rhs += lambda * loops.joints[column];
+  }
+}
+
+template <class World>
+void load_joints(const LoopData<World>& loops, const LoopPath& path, SubsystemWork<World>& work) {
+  for (std::size_t m = 0; m < path.joints.size(); ++m) {
+    const LoadedJoint& loaded = path.joints[m];
+    if (work.by_mass && !loaded.carries()) continue;
+    auto& joint = work.bodies[static_cast<std::size_t>(loaded.child)].joint;
+    load_joint(loops, path, m, loaded.child_at, work.by_mass, joint, joint.rhs);
+  }
+  for (std::size_t m = 0; m < path.roots.size(); ++m) {
+    const int at = work.root_at[static_cast<std::size_t>(path.roots[m])];
+    auto& root = work.roots[static_cast<std::size_t>(at)];
+    load_joint(loops, path, path.joints.size() + m, path.place_of(path.roots[m]), work.by_mass,
+               root, root.free);
+  }
 }
 
 }  // namespace
 
 template <class World>
-void load_joints_by_loops(const Subsystem<World>& subsystem, const SubsystemData<World>& data,
-                          SubsystemWork<World>& work) noexcept {
-  const LoopData<World>& loops = data.loops;
-  for (std::size_t k = 0; k < subsystem.loops.size(); ++k) {
-    const LoopPath& path = loops.paths[k];
-    for (int of_loop = 0; of_loop < path.rows; ++of_loop) {
-      const int row = path.first_row + of_loop;
-      if (loops.multipliers[static_cast<std::size_t>(row)] == 0.0) continue;  // of redundant rows
-      for (std::size_t m = 0; m < path.joints.size(); ++m) {
-        const int child = path.joints[m].child;
-        auto& joint = work.bodies[static_cast<std::size_t>(child)].joint;
-        load_joint(loops, work.by_mass, child, row, path.column(m, of_loop), joint, joint.rhs);
-      }
-      for (std::size_t m = 0; m < path.roots.size(); ++m) {
-        auto& root = work.roots[root_index(work, path.roots[m])];
-        load_joint(loops, work.by_mass, path.roots[m], row,
-                   path.column(path.joints.size() + m, of_loop), root, root.free);
-      }
-    }
-  }
+void load_joints_by_loops(const SubsystemData<World>& data, SubsystemWork<World>& work) noexcept {
+  for (const LoopPath& path : data.loops.paths) load_joints(data.loops, path, work);
 }
 
 template void calc_loop_columns(const Subsystem<Plane>&, std::size_t, const SubsystemWork<Plane>&,
                                 SubsystemData<Plane>&) noexcept;
 template void fill_loop_matrix(const Subsystem<Plane>&, const SubsystemWork<Plane>&,
                                SubsystemData<Plane>&) noexcept;
-template void load_joints_by_loops(const Subsystem<Plane>&, const SubsystemData<Plane>&,
-                                   SubsystemWork<Plane>&) noexcept;
+template void load_joints_by_loops(const SubsystemData<Plane>&, SubsystemWork<Plane>&) noexcept;
 template void calc_loop_columns(const Subsystem<Space>&, std::size_t, const SubsystemWork<Space>&,
                                 SubsystemData<Space>&) noexcept;
 template void fill_loop_matrix(const Subsystem<Space>&, const SubsystemWork<Space>&,
                                SubsystemData<Space>&) noexcept;
-template void load_joints_by_loops(const Subsystem<Space>&, const SubsystemData<Space>&,
-                                   SubsystemWork<Space>&) noexcept;
+template void load_joints_by_loops(const SubsystemData<Space>&, SubsystemWork<Space>&) noexcept;
 
 }  // namespace spoke::structured

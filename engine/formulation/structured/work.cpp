@@ -10,8 +10,12 @@ template <class World>
 void allocate(const SubsystemData<World>& data, SubsystemWork<World>& work) {
   Arena& arena = *data.arena;
   work.bodies = ArenaVector<BodyWork<World>>(data.bodies.size(), arena);
-  for (std::size_t j = 0; j < data.bodies.size(); ++j)
-    if (data.bodies[j].model->parent < 0) work.root_bodies.push_back(static_cast<int>(j));
+  work.root_at.assign(data.bodies.size(), -1);
+  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
+    if (data.bodies[j].model->parent >= 0) continue;
+    work.root_at[j] = static_cast<int>(work.root_bodies.size());
+    work.root_bodies.push_back(static_cast<int>(j));
+  }
   work.by_mass = has_rigid_bodies_alone(data);
   for (BodyWork<World>& body : work.bodies) body.by_mass = work.by_mass;
   work.roots = ArenaVector<tree::RootElimination<World>>(work.root_bodies.size(), arena);

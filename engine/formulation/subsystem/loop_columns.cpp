@@ -86,8 +86,10 @@ template <class World>
 void fill_loop_matrix(const Subsystem<World>& subsystem, const SubsystemWork<World>& work,
                       SubsystemData<World>& data) noexcept {
   LoopData<World>& loops = data.loops;
+  loops.matrix.set_zero();
   for (std::size_t a = 0; a < subsystem.loops.size(); ++a)
-    for (std::size_t b = 0; b <= a; ++b)
+    for (const int other : loops.meets[a]) {
+      const auto b = static_cast<std::size_t>(other);
       for (int i = 0; i < loops.paths[a].rows; ++i)
         for (int j = 0; j < loops.paths[b].rows && (a != b || j <= i); ++j) {
           const int r = loops.paths[a].first_row + i, c = loops.paths[b].first_row + j;
@@ -100,6 +102,7 @@ void fill_loop_matrix(const Subsystem<World>& subsystem, const SubsystemWork<Wor
               });
           loops.entry(r, c) = sum;
         }
+    }
 }
 
 template <class World>
