@@ -25,6 +25,9 @@ void measure_time_to_solution(const QuestionOptions& options, Report& report);
 /// What do closed loops cost, and how does it grow with their number?
 void measure_loops(const QuestionOptions& options, Report& report);
 
+/// How do costs grow with size, of loops, their start and chains?
+void measure_growth(const QuestionOptions& options, Report& report);
+
 /// What do solids cost, reduced and in nodal coordinates, and what do two threads gain on one body?
 void measure_solids(const QuestionOptions& options, Report& report);
 
