@@ -59,8 +59,8 @@ void place_joint(const Joint& joint, int history, double* memory, JointData& dat
 double calc_surely_linear(const FlexibleBody& body, double range) {
   double norm = std::numeric_limits<double>::infinity();
   for (const BeamElement& element : body.beam)
-    norm = std::min(norm, range * element.length / body.length() /
-                              (std::numbers::sqrt2 + element.length));
+    norm = std::min(
+        norm, range * element.length / body.length() / (std::numbers::sqrt2 + element.length));
   return norm * norm;
 }
 
