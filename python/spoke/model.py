@@ -92,7 +92,8 @@ def hub(*, support=None, radius=None, inertia=None, mass=None, drive=None, **mor
 
 def blade(*, count=None, length=None, bodies=None, elements=None, density=None, area=None,
           second_moment=None, youngs_modulus=None, sections=None, point_mass=None, loop=None,
-          geometric_stiffening=None, reference_frame=None, azimuth=None, **more):
+          geometric_stiffening=None, strain=None, reference_frame=None, azimuth=None,
+          **more):
     """All blades alike, or one of several.
 
     count: number of blades, evenly around the hub.
@@ -107,6 +108,7 @@ def blade(*, count=None, length=None, bodies=None, elements=None, density=None, 
     point_mass: a list of point_mass().
     loop: a list of loop().
     geometric_stiffening: whether the tension of rotation stiffens bending within a body.
+    strain: "automatic", "linear" or "nonlinear".
     reference_frame: "clamped" or "chord".
     azimuth: direction of the first blade in the hub's frame [rad].
     """
