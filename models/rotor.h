@@ -24,9 +24,9 @@ enum class ReferenceFrame {
 
 /// How the strains of a beam follow from the displacements of its nodes.
 enum class BeamStrain {
-  /// nonlinear, but for what linear strains are made for: beams on a hub that its drive turns, in a
-  /// tree without moving joints and loops, with their centres at the axis
-  /// (docs/formulation.md, section 16). Linear ones take less time.
+  /// nonlinear, but for what linear strains are made for, which take less time: in the plane blades
+  /// without loops, in space beams on a hub that its drive turns, in a tree without moving joints
+  /// and loops, with their centres at the axis (docs/formulation.md, section 16).
   automatic,
   /// Linear; what rotation, gravity and loads add by tension is that of the undeformed tree
   /// (geometric_stiffening).

@@ -120,11 +120,11 @@ void add_loops(const Rotor& rotor, std::size_t i, Subsystem<Plane>& subsystem) {
 }
 
 /// Returns the strain of a blade: its own, or where that leaves the choice the one that suits it.
-BeamStrain choose_strain(const Hub& hub, const Blade& blade) {
+/// Linear strains know all tension but that of loops.
+BeamStrain choose_strain(const Blade& blade) {
   if (blade.strain != BeamStrain::automatic) return blade.strain;
-  const bool is_turned = hub.support == HubSupport::axle && turns_hub(hub.drive);
-  const bool is_nonlinear = blade.geometric_stiffening && (!is_turned || !blade.loops.empty());
-  return is_nonlinear ? BeamStrain::nonlinear : BeamStrain::linear;
+  return blade.geometric_stiffening && !blade.loops.empty() ? BeamStrain::nonlinear
+                                                            : BeamStrain::linear;
 }
 
 /// Whether bodies have the tension of the undeformed blade; strains of second order have their own.
@@ -231,7 +231,7 @@ bool is_prescribed(const Hub& hub, int c) {
 
 System<Plane> make_system(const Rotor& description) {
   Rotor rotor = description;
-  for (Blade& blade : rotor.blades) blade.strain = choose_strain(rotor.hub, blade);
+  for (Blade& blade : rotor.blades) blade.strain = choose_strain(blade);
   System<Plane> system;
   system.hub = rotor.hub;
   system.gravity = rotor.gravity;

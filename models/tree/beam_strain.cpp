@@ -35,11 +35,18 @@ std::string find_unknown_tension(const Model& model, const Blade& blade) {
 
 std::string find_unknown_tension(const Model& model, const Subsystem& subsystem) {
   if (is_support(model, subsystem)) return "the hub does not turn it";
-  return is_turned(model.hub) ? find_joint_or_loop(subsystem) : kNoDrive;
+  return is_turned(model.hub) ? find_cause(subsystem.joints, subsystem.loops) : kNoDrive;
 }
 
-std::string find_joint_or_loop(const Subsystem& subsystem) {
-  return find_cause(subsystem.joints, subsystem.loops);
+std::string find_joint_or_loop(const Subsystem& subsystem, const std::string& body) {
+  std::vector<SubsystemJoint> inboard;
+  const auto carrier_of = [&subsystem](const std::string& child) {
+    return std::find_if(subsystem.joints.begin(), subsystem.joints.end(),
+                        [&child](const SubsystemJoint& joint) { return joint.child == child; });
+  };
+  for (auto at = carrier_of(body); at != subsystem.joints.end(); at = carrier_of(at->parent))
+    inboard.push_back(*at);
+  return find_cause(inboard, subsystem.loops);
 }
 
 bool has_axis_beside(const Beam& beam) {

@@ -15,9 +15,9 @@ namespace spoke::spatial {
 std::string find_unknown_tension(const Model& model, const Blade& blade);
 std::string find_unknown_tension(const Model& model, const Subsystem& subsystem);
 
-/// Returns the joint or loop among these, for subsystems on hubs that turn or not; solids know what
-/// the rotation of the hub does.
-std::string find_joint_or_loop(const Subsystem& subsystem);
+/// Returns what moves or pulls at a body of a subsystem besides the hub: a joint between it and the
+/// hub, or a loop of the subsystem; as find_unknown_tension() does.
+std::string find_joint_or_loop(const Subsystem& subsystem, const std::string& body);
 
 /// Returns whether the centres of mass or tension of a beam's sections lie so far beside its axis
 /// that linear strains make its torsional frequencies in rotation wrong.

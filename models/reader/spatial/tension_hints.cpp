@@ -25,14 +25,13 @@ void look(const std::string& of, const spatial::Beam& beam, const std::string& u
 void look(const spatial::Model& model, const spatial::Subsystem& subsystem,
           std::vector<std::string>& hints) {
   const std::string unknown = find_unknown_tension(model, subsystem);
-  const std::string cause = find_joint_or_loop(subsystem);
   for (const spatial::Body& body : subsystem.bodies) {
     const std::string of = subsystem.name + " / " + body.name;
     if (const auto* beam = std::get_if<spatial::Beam>(&body.shape)) look(of, *beam, unknown, hints);
     const auto* solid = std::get_if<spatial::SolidBody>(&body.shape);
     if (!solid || !solid->geometric_stiffening || solid->frame != spatial::SolidFrame::clamped)
       continue;
-    if (!cause.empty())
+    if (const std::string cause = find_joint_or_loop(subsystem, body.name); !cause.empty())
       hints.push_back("the solid " + of +
                       " knows the tension that rotation of the hub, gravity and loads put on the "
                       "undeformed bodies, but " +

@@ -194,7 +194,7 @@ Scenario make_pushed_turbine() {
   push.place.subsystem = "support";
   push.place.body = "tower";
   push.frame = spatial::LoadFrame::inertial;
-  push.force = {2.0e4, 1.5e4, 0.0};
+  push.force = {1.0e4, 0.75e4, 0.0};
   push.factor = Curve({0.0, 1.0, 2.0}, {0.0, 1.0, 0.0});
   model.loads = {push};
   scenario.initial.state = InitialState::equilibrium;

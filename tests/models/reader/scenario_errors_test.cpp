@@ -221,7 +221,8 @@ TEST_CASE("wrong words and wrong types are refused") {
       {"count = 3", "count = 3\ngeometric_stiffening = 1",
        "f.toml:10:24: blade.geometric_stiffening: is 1, expected true or false"},
       {"count = 3", "count = 3\nstrain = \"green\"",
-       "f.toml:10:10: blade.strain: is \"green\", expected \"linear\" or \"nonlinear\""},
+       "f.toml:10:10: blade.strain: is \"green\", expected \"automatic\", \"linear\" or "
+       "\"nonlinear\""},
       {"count = 3", "count = 3\nstrain = \"nonlinear\"\ngeometric_stiffening = false",
        "f.toml:11:24: blade.geometric_stiffening: is false, expected true, or strain = \"linear\": "
        "strains of second order make the tension that stiffens"},

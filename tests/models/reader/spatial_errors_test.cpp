@@ -52,7 +52,8 @@ TEST_CASE("what is of another world is refused") {
 TEST_CASE("strains are linear, or of second order with all that they stiffen") {
   check_edits(kBladeText,
               {{"count = 3", "count = 3\nstrain = \"green\"",
-                "f.toml:12:10: blade.strain: is \"green\", expected \"automatic\", \"linear\" or \"nonlinear\""},
+                "f.toml:12:10: blade.strain: is \"green\", expected \"automatic\", \"linear\" or "
+                "\"nonlinear\""},
                {"count = 3", "count = 3\nstrain = \"nonlinear\"\ngeometric_stiffening = false",
                 "f.toml:13:24: blade.geometric_stiffening: is false, expected true, or strain = "
                 "\"linear\": strains of second order make the tension that stiffens"}});

@@ -171,6 +171,7 @@ TEST_CASE("an importer's controller of torque and pitch works on a turbine in wi
                       "wind={velocity=[12,0,0],shear_exponent=0.2,reference_height=90}",
                       "blade.bodies=1",
                       "blade.elements=3",
+                      "blade.strain=\"linear\"",
                       "support.body.1.elements=3",
                       "integration.step=0.01",
                       "integration.duration=2"};
