@@ -21,12 +21,13 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bench/compare/interleaved.h"
 #include "bench/progress.h"
 #include "bench/questions.h"
-#include "engine/simulation.h"
+#include "bench/repeated_steps.h"
 #include "graph/machine/duration_text.h"
 
 namespace spoke::bench {
@@ -70,49 +71,21 @@ Scenario with_suspensions(int count, bool is_free) {
   return scenario;
 }
 
-/// A simulation that makes the same steps over and over.
-class LoopSteps {
- public:
-  LoopSteps(const Scenario& scenario, int steps, ExecutorKind kind, int threads)
-      : simulation_(scenario, {Formulation::structured, kind, threads}), steps_(steps) {
-    start_ = simulation_.save();
-    // Until an executor that chooses has chosen.
-    for (int k = 0; k < (kind == ExecutorKind::automatic ? 20 : 1); ++k) {
-      go_back();
-      run();
-    }
-    evaluations_ = static_cast<double>(simulation_.evaluations() - start_.evaluations) / steps_;
-    hash_ = simulation_.state_hash();
-  }
+using LoopSteps = std::shared_ptr<RepeatedSteps>;
 
-  void go_back() { simulation_.restore(start_); }
-  void run() {
-    simulation_.run_until(static_cast<double>(start_.steps + steps_) * simulation_.step_size());
-  }
-  int steps() const { return steps_; }
-  double evaluations_per_step() const { return evaluations_; }
-  std::uint64_t hash() const { return hash_; }
-
- private:
-  Simulation simulation_;
-  int steps_;
-  SavedState start_;
-  double evaluations_ = 0.0;
-  std::uint64_t hash_ = 0;
-};
-using LoopStepsPointer = std::shared_ptr<LoopSteps>;
-
-LoopStepsPointer make_steps(const std::string& name, const Scenario& scenario, int steps,
-                            ExecutorKind kind = ExecutorKind::serial, int threads = 1) {
+LoopSteps make_steps(const std::string& name, const Scenario& scenario, int steps,
+                     ExecutorKind kind = ExecutorKind::serial, int threads = 1) {
   show_progress(name + ": building");
-  return std::make_shared<LoopSteps>(scenario, steps, kind, threads);
+  return std::make_shared<RepeatedSteps>(
+      scenario, SimulationOptions{Formulation::structured, kind, threads}, 0.0, steps);
 }
 
 /// Makes an alternative whose time is that of a step, by `per` of them.
-Alternative make_alternative(std::string name, const LoopStepsPointer& steps, int reference,
+Alternative make_alternative(std::string name, const LoopSteps& steps, int reference,
                              double per = 1.0) {
-  return {std::move(name), [steps] { steps->run(); }, [steps] { steps->go_back(); },
-          1.0 / (per * steps->steps()), reference};
+  Alternative made = RepeatedSteps::alternative(std::move(name), steps, reference);
+  made.scale /= per;
+  return made;
 }
 
 void measure_mechanisms(const Effort& effort, Report& report) {
@@ -127,8 +100,8 @@ void measure_mechanisms(const Effort& effort, Report& report) {
        {Mechanism{"four_bar", 2000}, Mechanism{"andrews_squeezer", 3000},
         Mechanism{"bricard", 2000}, Mechanism{"vehicle", 500}}) {
     const Scenario scenario = shipped(name);
-    const LoopStepsPointer open = make_steps(name, opened(scenario), steps),
-                           closed = make_steps(name, scenario, steps);
+    const LoopSteps open = make_steps(name, opened(scenario), steps),
+                    closed = make_steps(name, scenario, steps);
     const std::vector<Timing> timings =
         measure({make_alternative("open", open, 0, open->evaluations_per_step()),
                  make_alternative("closed", closed, 0, closed->evaluations_per_step())},
@@ -190,9 +163,9 @@ void measure_threads(const Effort& effort, Report& report) {
   for (const bool is_free : {false, true}) {
     const std::string name = is_free ? "free" : "held";
     const Scenario scenario = with_suspensions(kManySuspensions, is_free);
-    const LoopStepsPointer serial = make_steps(name, scenario, kSteps),
-                           automatic = make_steps(name + ", auto", scenario, kSteps,
-                                                  ExecutorKind::automatic, 2);
+    const LoopSteps serial = make_steps(name, scenario, kSteps),
+                    automatic =
+                        make_steps(name + ", auto", scenario, kSteps, ExecutorKind::automatic, 2);
     if (serial->hash() != automatic->hash())
       throw std::runtime_error("suspensions: serial and auto differ in their state");
     const std::vector<Timing> timings = measure(

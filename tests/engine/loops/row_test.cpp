@@ -124,21 +124,7 @@ TEST_CASE("the matrix of a row of linkages is a narrow band, in any order of its
 TEST_CASE("a row of linkages has equal bits on executors, threads and windows") {
   spatial::Model model = shuffled(make_row());
   model.hub.drive = ConstantSpeed{0.3};
-  const System<Space> system = make_system(model);
-  for (const Method& method : methods()) {
-    const auto hash = [&](graph::ExecutorKind executor, int threads, int window) {
-      Run<Space> run(system, {.method = method,
-                              .executor = executor,
-                              .threads = graph::Threads{threads},
-                              .window = window});
-      run.advance(60);
-      return run.hash();
-    };
-    const std::uint64_t serial = hash(graph::ExecutorKind::serial, 1, 1);
-    CHECK(hash(graph::ExecutorKind::flow_graph, 2, 1) == serial);
-    CHECK(hash(graph::ExecutorKind::flow_graph, 3, 8) == serial);
-    CHECK(hash(graph::ExecutorKind::openmp_scheme1, 2, 1) == serial);
-  }
+  for (const Method& method : methods()) check_equal_bits(make_system(model), method, 60);
 }
 
 TEST_CASE("linkages that share nothing move as each does alone") {

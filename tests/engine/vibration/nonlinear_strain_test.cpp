@@ -8,11 +8,11 @@
 #include <sstream>
 #include <string>
 
-#include "engine/critical.h"
 #include "engine/equilibrium.h"
 #include "engine/modes.h"
 #include "engine/simulation.h"
 #include "models/scenario.h"
+#include "tests/engine/vibration/critical_load.h"
 
 namespace spoke {
 namespace {
@@ -83,15 +83,6 @@ std::string make_loaded(const Cut& cut, const std::string& force) {
          force + "\n[integration]\nduration = 1\n";
 }
 
-double find_critical(const std::string& text, double to) {
-  CriticalOptions options;
-  options.of = "load=push";
-  options.to = to;
-  const CriticalResult result = solve_critical(parse_scenario(text, "beam.toml"), options);
-  REQUIRE(result.critical);
-  return result.critical->value;
-}
-
 /// A turning beam whose centres lie on its axis, or 0.3 m beside it.
 std::string make_beside(const Cut& cut, double offset) {
   std::ostringstream text;
@@ -156,11 +147,11 @@ TEST_CASE("the force of a loop along a cantilever changes its frequency") {
 TEST_CASE("a cantilever buckles sideways and along its axis, within one body too") {
   // Lateral: 4.0126 sqrt(EI GJ)/L^2 (Timoshenko); Euler: pi^2/4 EI/L^2.
   const double lateral = 4.0126 * std::sqrt(100.0 * 80.0);
-  CHECK(find_critical(make_loaded(kOneOfEight, "[0, 1, 0]"), 1000.0) ==
+  CHECK(test::find_critical_load(make_loaded(kOneOfEight, "[0, 1, 0]"), 1000.0) ==
         Approx(lateral).epsilon(5e-3));
-  CHECK(find_critical(make_loaded(kFourOfFour, "[0, 1, 0]"), 1000.0) ==
+  CHECK(test::find_critical_load(make_loaded(kFourOfFour, "[0, 1, 0]"), 1000.0) ==
         Approx(lateral).epsilon(1.3e-3));
-  CHECK(find_critical(make_loaded(kOneOfEight, "[-1, 0, 0]"), 500.0) ==
+  CHECK(test::find_critical_load(make_loaded(kOneOfEight, "[-1, 0, 0]"), 500.0) ==
         Approx(100.0 * 2.4674011).epsilon(5e-6));
 }
 

@@ -12,11 +12,11 @@
 #include <utility>
 #include <vector>
 
-#include "engine/critical.h"
 #include "engine/equilibrium.h"
 #include "engine/modes.h"
 #include "engine/simulation.h"
 #include "models/scenario.h"
+#include "tests/engine/vibration/critical_load.h"
 
 namespace spoke::in_plane {
 namespace {
@@ -47,15 +47,6 @@ double find_lag(const std::string& text, std::size_t number = 0) {
   return result.modes[number].frequency;
 }
 
-double find_critical(const std::string& text, double to) {
-  CriticalOptions options;
-  options.of = "load=push";
-  options.to = to;
-  const CriticalResult result = solve_critical(parse_scenario(text, "beam.toml"), options);
-  REQUIRE(result.critical);
-  return result.critical->value;
-}
-
 std::string push(const std::string& frame) {
   return "[[load]]\nname = \"push\"\nforce = [-1, 0]\nframe = \"" + frame + "\"\n";
 }
@@ -70,8 +61,10 @@ TEST_CASE("a column in the plane buckles as Euler's, and flutters as Beck's") {
         return make_beam(cut, 1e7, 1.0, kFixed,
                          "reference_frame = \"" + std::string(name_of(frame)) + "\"\n" + load);
       };
-      CHECK(find_critical(column(push("inertial")), 5.0) == Approx(2.4674011).epsilon(euler));
-      CHECK(find_critical(column(push("section")), 30.0) == Approx(20.0509).epsilon(beck));
+      CHECK(test::find_critical_load(column(push("inertial")), 5.0) ==
+            Approx(2.4674011).epsilon(euler));
+      CHECK(test::find_critical_load(column(push("section")), 30.0) ==
+            Approx(20.0509).epsilon(beck));
     }
 }
 

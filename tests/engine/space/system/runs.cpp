@@ -150,6 +150,22 @@ double largest_difference(const Run<Space>& a, const Run<Space>& b) {
   return (deformations(a) - deformations(b)).cwiseAbs().maxCoeff();
 }
 
+void check_equal_bits(const System<Space>& system, const Method& method, std::int64_t steps) {
+  const auto hash = [&](graph::ExecutorKind executor, int threads, int window) {
+    Run<Space> run(system, {.method = method,
+                            .executor = executor,
+                            .threads = graph::Threads{threads},
+                            .window = window});
+    run.advance(steps);
+    return run.hash();
+  };
+  const std::uint64_t serial = hash(graph::ExecutorKind::serial, 1, 1);
+  CHECK(hash(graph::ExecutorKind::flow_graph, 2, 1) == serial);
+  CHECK(hash(graph::ExecutorKind::flow_graph, 3, 8) == serial);
+  CHECK(hash(graph::ExecutorKind::openmp_scheme1, 2, 1) == serial);
+  CHECK(hash(graph::ExecutorKind::openmp_scheme2, 2, 1) == serial);
+}
+
 Drift calc_drift(const System<Space>& system, const Method& method, double seconds) {
   Run<Space> run(system, {method});
   const double energy = calc_energy(run);

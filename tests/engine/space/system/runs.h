@@ -67,6 +67,10 @@ Eigen::VectorXd deformations(const Run<Space>& run);
 /// Returns the largest difference of a deformation or joint coordinate.
 double largest_difference(const Run<Space>& a, const Run<Space>& b);
 
+/// Checks that a system has one state after so many steps, whatever executes them, on any number of
+/// threads and in any windows.
+void check_equal_bits(const System<Space>& system, const Method& method, std::int64_t steps);
+
 /// Changes within a run of what it conserves.
 struct Drift {
   double energy = 0.0;
