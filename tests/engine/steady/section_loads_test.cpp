@@ -85,10 +85,12 @@ Scenario make_space(const std::string& frame) {
                         "space.toml");
 }
 
-/// A beam that moments at its ends bend to a full circle, of 8 bodies; in space with these strains.
+/// A beam that moments at its ends bend to a circle, or an arc of another angle, of 8 bodies; in
+/// space with these strains.
 Scenario make_circle(bool is_spatial, const std::string& more = "",
-                     const std::string& beam = "elements = 1\nstrain = \"linear\"\n") {
-  const std::string moment = std::to_string(2.0 * std::numbers::pi);
+                     const std::string& beam = "elements = 1\nstrain = \"linear\"\n",
+                     double angle = 2.0 * std::numbers::pi) {
+  const std::string moment = std::to_string(angle);
   const std::string begin = std::string(is_spatial ? "world = \"space\"\n" : "") +
                             "[hub.drive]\nkind = \"fixed\"\n"
                             "[[blades]]\nlength = 1.0\nbodies = 8\nazimuth = 0.0\n" +
@@ -152,13 +154,15 @@ TEST_CASE("equilibrium: with nonlinear strains the deflection of elements is war
   REQUIRE(one.warnings.size() == 1);
   CHECK(one.warnings[0].text.find("of the length of an element, more than 10 %") !=
         std::string::npos);
-  // An element that bends by 1/32 of a circle leaves its axis by (1 - cos)/(angle).
-  const EquilibriumResult four = solve_equilibrium(make_circle(true, "", "elements = 4\n"));
-  CHECK(four.warnings.empty());
+  // Half a circle by 16 elements, each of which leaves its axis by (1 - cos)/(angle) of its length.
+  const EquilibriumResult half =
+      solve_equilibrium(make_circle(true, "", "elements = 2\n", std::numbers::pi));
+  CHECK(half.warnings.empty());
   const double angle = std::numbers::pi / 16.0;
-  for (const double ratio : four.blades.at(0).bending)
+  for (const double ratio : half.blades.at(0).bending)
     CHECK(ratio == doctest::Approx((1.0 - std::cos(angle)) / angle).epsilon(5e-3));
-  CHECK((four.blades[0].nodes.back() - four.blades[0].nodes.front()).norm() < 1e-5);
+  const double width = (half.blades[0].nodes.back() - half.blades[0].nodes.front()).norm();
+  CHECK(width == doctest::Approx(2.0 / std::numbers::pi).epsilon(5e-3));
 }
 
 }  // namespace spoke
