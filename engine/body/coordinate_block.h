@@ -18,7 +18,7 @@ struct CoordinateBlock {
   double* q = nullptr;               ///< coordinates
   double* v = nullptr;               ///< velocities
   double* a = nullptr;               ///< accelerations
-  std::array<double*, 4> history{};  ///< the integrator's own, see engine/integrator
+  std::array<double*, 5> history{};  ///< the integrator's own, see engine/integrator
 
   /// The block of coordinate `c` alone.
   CoordinateBlock component(int c) const {

@@ -16,10 +16,15 @@ Double2 greater(Double2 a, Double2 b) { return a > b ? a : b; }
 
 // Parameters that promise not to overlap let the compiler take several coordinates at a time.
 
-inline void predict_values(const GeneralizedAlpha m, int n, double* __restrict q,
-                           double* __restrict v, double* __restrict a, double* __restrict qp,
-                           double* __restrict vp, double* __restrict carry,
-                           double* __restrict last) noexcept {
+/// Weights of the differences that a prediction goes on with.
+struct Foresight {
+  double slope, bend;
+};
+
+inline void predict_values(const GeneralizedAlpha m, Foresight ahead_by, int n,
+                           double* __restrict q, double* __restrict v, double* __restrict a,
+                           double* __restrict qp, double* __restrict vp, double* __restrict carry,
+                           double* __restrict last, double* __restrict last_but_one) noexcept {
   const double h = m.step;
   for (int i = 0; i < n; ++i) {
     const double al = carry[i] + m.k * a[i];
@@ -27,7 +32,10 @@ inline void predict_values(const GeneralizedAlpha m, int n, double* __restrict q
     carry[i] = next;
     qp[i] = q[i] + h * v[i] + h * h * ((0.5 - m.beta) * al + m.beta * next);
     vp[i] = v[i] + h * ((1.0 - m.gamma) * al + m.gamma * next);
-    const double ahead = 2.0 * a[i] - last[i];
+    const double slope = a[i] - last[i];
+    const double bend = slope - (last[i] - last_but_one[i]);
+    const double ahead = a[i] + ahead_by.slope * slope + ahead_by.bend * bend;
+    last_but_one[i] = last[i];
     last[i] = a[i];
     a[i] = ahead;
     q[i] = qp[i] + m.position_gain * ahead;
@@ -97,6 +105,7 @@ void clear_accelerations(CoordinateBlock& block) {
     std::fill_n(block.a + first, n, 0.0);
     std::fill_n(block.history[GeneralizedAlpha::carry_over] + first, n, 0.0);
     std::fill_n(block.history[GeneralizedAlpha::last_a] + first, n, 0.0);
+    std::fill_n(block.history[GeneralizedAlpha::last_but_one_a] + first, n, 0.0);
   });
 }
 
@@ -124,15 +133,17 @@ void complete_restart(const GeneralizedAlpha& method, const double* a,
   });
 }
 
-void predict(const GeneralizedAlpha& method, CoordinateBlock& block) noexcept {
-  assert(method.step > 0.0 && block.history[GeneralizedAlpha::last_a]);
+void predict(const GeneralizedAlpha& method, int order, CoordinateBlock& block) noexcept {
+  assert(method.step > 0.0 && order >= 1 && block.history[GeneralizedAlpha::last_but_one_a]);
+  const Foresight ahead_by{order >= 2 ? 1.0 : 0.0, order >= 3 ? 1.0 : 0.0};
   double *qp = block.history[GeneralizedAlpha::predicted_q],
          *vp = block.history[GeneralizedAlpha::predicted_v],
          *carry = block.history[GeneralizedAlpha::carry_over],
-         *last = block.history[GeneralizedAlpha::last_a];
+         *last = block.history[GeneralizedAlpha::last_a],
+         *last_but_one = block.history[GeneralizedAlpha::last_but_one_a];
   block.for_parts([&](int first, int n) {
-    predict_values(method, n, block.q + first, block.v + first, block.a + first, qp + first,
-                   vp + first, carry + first, last + first);
+    predict_values(method, ahead_by, n, block.q + first, block.v + first, block.a + first,
+                   qp + first, vp + first, carry + first, last + first, last_but_one + first);
   });
 }
 

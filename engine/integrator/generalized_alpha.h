@@ -26,7 +26,7 @@ struct GeneralizedAlpha {
   double error_share = 0.0;  ///< error of a step by beta' h^2 (A_{n+1} - A_n), see step_error.h
 
   /// Names for the history vectors of a CoordinateBlock.
-  enum History { predicted_q, predicted_v, carry_over, last_a, count };
+  enum History { predicted_q, predicted_v, carry_over, last_a, last_but_one_a, count };
 };
 
 /// Returns coefficients for spectral radius `radius` at infinite frequency, 0 <= radius <= 1, and
@@ -53,8 +53,9 @@ void complete_restart(const GeneralizedAlpha& method, const double* a,
                       CoordinateBlock& block) noexcept;
 
 /// Begins the first iteration of a step: predicts, and starts from accelerations that go on from
-/// the last two steps' on a straight line. Those of the last become history.
-void predict(const GeneralizedAlpha& method, CoordinateBlock& block) noexcept;
+/// those of as many steps as `order` says: 3 on a parabola, 2 on a straight line, 1 as they are.
+/// Those of the last become history.
+void predict(const GeneralizedAlpha& method, int order, CoordinateBlock& block) noexcept;
 
 /// Results of a correction.
 struct Correction {

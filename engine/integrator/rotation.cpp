@@ -62,9 +62,9 @@ void advance(const Rk4& method, int stage, const RotationBlock& rotation) noexce
   write(logarithm(Quaternion{} + method.step * step), rotation.block->q, rotation.at);
 }
 
-void predict(const GeneralizedAlpha& method, const RotationBlock& rotation) noexcept {
+void predict(const GeneralizedAlpha& method, int order, const RotationBlock& rotation) noexcept {
   fold(rotation);
-  spoke::predict(method, *rotation.block);
+  spoke::predict(method, order, *rotation.block);
 }
 
 }  // namespace spoke::space

@@ -26,6 +26,6 @@ void fold(const RotationBlock& rotation) noexcept;
 void advance(const Rk4& method, int stage, const RotationBlock& rotation) noexcept;
 
 /// Predicts the whole block for generalized_alpha.
-void predict(const GeneralizedAlpha& method, const RotationBlock& rotation) noexcept;
+void predict(const GeneralizedAlpha& method, int order, const RotationBlock& rotation) noexcept;
 
 }  // namespace spoke::space

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/integrator/foresight.h"
 #include "engine/integrator/relaxation.h"
 
 namespace spoke {
@@ -48,8 +49,10 @@ void complete_step(const Integrator& integrator, const Window& window, const Pas
   record.deflection = report.deflection;
   record.error = progress.error;
   record.loop = report.loop;
-  // A restart shows nothing: its accelerations are those of the method.
-  if (progress.control.stage != PassControl::kRestart) progress.completed = progress.step;
+  // A restart shows nothing: its accelerations are those of the method, and no others are known.
+  const bool is_restart = progress.control.stage == PassControl::kRestart;
+  if (!is_restart) progress.completed = progress.step;
+  if (is_restart) forget_accelerations(progress);
   progress.power = report.power;
   begin_step(integrator, progress.step + 1, progress);
   progress.is_halted = progress.step > window.last;
@@ -67,33 +70,40 @@ void set_tolerance(const IterationLimits& limits, double step_change, StepProgre
   constexpr double kFade = 0.99;
   progress.tolerance = limits.tolerance;
   if (!limits.follows_error) return;
-  progress.usual_change = std::max(step_change, kFade * progress.usual_change);
-  progress.tolerance =
-      std::min(limits.most_left, std::max(kRoundOff, kLeft * progress.usual_change));
+  double& usual = progress.remembered.usual_change;
+  usual = std::max(step_change, kFade * usual);
+  progress.tolerance = std::min(limits.most_left, std::max(kRoundOff, kLeft * usual));
 }
 
-/// Whether the remaining change, by the contraction seen, is within the tolerance; after a first
-/// change the contraction is not known.
-bool leaves_little(double change, const StepProgress& progress) {
-  if (progress.passes == 1) return change <= progress.tolerance;
-  const double r = progress.contraction;
-  return r < 1.0 && r * change <= (1.0 - r) * progress.tolerance;
+/// Whether what is left of a change, by the contraction, is within the tolerance. The power at the
+/// end of the step is that of the state before the change: a first one is small beside that of the
+/// accelerations, too.
+bool leaves_little(const PassReport& report, const StepProgress& progress) {
+  constexpr double kShare = 0.1;
+  if (progress.passes == 1 && report.change > kShare * report.step_change) return false;
+  const double r = foretell_contraction(progress);
+  return r * report.change <= (1.0 - r) * progress.tolerance;
 }
 
 /// Whether a change is small by itself, and not by its own step alone.
 bool is_small_change(const IterationLimits& limits, double change, const StepProgress& progress) {
-  if (!limits.follows_error) return change <= progress.tolerance;
+  if (!limits.follows_error || progress.passes == 1)
+    if (change <= progress.tolerance) return true;
+  if (!limits.follows_error) return false;
   constexpr double kShare = 0.1;
-  return change <= std::min(limits.tolerance, std::max(kRoundOff, kShare * progress.usual_change));
+  return change <=
+         std::min(limits.tolerance, std::max(kRoundOff, kShare * progress.remembered.usual_change));
 }
 
 /// Whether the iteration has done what it can: by its tolerance, or since changes that the limits
 /// allow hardly fall any more.
-bool has_converged(const IterationLimits& limits, double change, const StepProgress& progress) {
+bool has_converged(const IterationLimits& limits, const PassReport& report,
+                   const StepProgress& progress) {
+  const double change = report.change;
   const bool leaves_open = change > limits.closing ||
                            (progress.control.relaxation < 1.0 && std::isfinite(limits.closing));
   if (leaves_open) return false;
-  if (limits.follows_error && leaves_little(change, progress)) return true;
+  if (limits.follows_error && leaves_little(report, progress)) return true;
   if (is_small_change(limits, change, progress)) return true;
   if (progress.passes >= limits.most)
     return change <= std::max(limits.tolerance, progress.tolerance);
@@ -116,13 +126,16 @@ bool end_iteration(const Integrator& integrator, const PassReport& report, StepP
   if (done == 1) {
     progress.error = report.error;
     set_tolerance(limits, report.step_change, progress);
+    learn_order(report.change, progress);
   }
   learn_contraction(report.change, progress);
   const bool is_last =
-      limits.fixed > 0 ? done == limits.fixed : has_converged(limits, report.change, progress);
+      limits.fixed > 0 ? done == limits.fixed : has_converged(limits, report, progress);
   progress.change = report.change;
   progress.share_before = progress.control.relaxation;
   if (is_last) {
+    const bool is_plain = done == 1 && is_small_change(limits, report.change, progress);
+    remember_step(is_plain, progress);
     // The trapezoidal rule: second order, as the method.
     add_work(0.5 * step_size(integrator), progress.power, progress);
     add_work(0.5 * step_size(integrator), report.power, progress);
@@ -172,6 +185,7 @@ void begin_step(const Integrator& integrator, std::int64_t step, StepProgress& p
   progress.contraction = 0.0;
   progress.error = {};
   progress.share_before = progress.control.relaxation = 1.0;
+  progress.control.order = choose_order(progress.remembered);
   set_stage(integrator, as_rk4(integrator) ? 1 : 0, progress);
 }
 

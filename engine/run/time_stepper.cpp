@@ -86,9 +86,9 @@ StepOutcome TimeStepper::run_between_steps(int stage) {
   StepTable& data = context_.table();
   data.window = {steps_, steps_, false};
   for (StepProgress& progress : data.progress) {
-    const double usual_change = progress.usual_change;
+    const IterationMemory remembered = progress.remembered;
     progress = make_progress_between_steps(context_.integrator, steps_, stage);
-    progress.usual_change = usual_change;
+    progress.remembered = remembered;
   }
   run_serially();
   return data.is_any_load_failed() ? StepOutcome::load_failed : first_failure(data);
@@ -124,10 +124,10 @@ void TimeStepper::continue_from(std::int64_t steps) {
   assert(steps >= 0);
   for (StepProgress& progress : context_.table().progress) {
     const Power power = progress.power;
-    const double usual_change = progress.usual_change;
+    const IterationMemory remembered = progress.remembered;
     progress = StepProgress{};
     progress.power = power;
-    progress.usual_change = usual_change;
+    progress.remembered = remembered;
     progress.completed = steps;
     progress.is_halted = true;
     begin_step(context_.integrator, steps + 1, progress);

@@ -17,7 +17,8 @@ void begin_coordinates(const Method& method, const PassControl& control,
   const bool has_rotation = rotation.at >= 0;
   if (const auto* alpha = std::get_if<GeneralizedAlpha>(&method)) {
     if (control.stage != 0) return;
-    has_rotation ? predict(*alpha, rotation) : predict(*alpha, *rotation.block);
+    has_rotation ? predict(*alpha, control.order, rotation)
+                 : predict(*alpha, control.order, *rotation.block);
   } else {
     const Rk4& rk4 = std::get<Rk4>(method);
     has_rotation ? advance(rk4, control.stage, rotation)
@@ -54,7 +55,7 @@ void begin_hub_coordinates(const System<Plane>&, const Method& method, const Pas
                            StepData<Plane>& data) {
   if (control.is_between_steps()) return;
   if (const auto* alpha = std::get_if<GeneralizedAlpha>(&method)) {
-    if (control.stage == 0) predict(*alpha, data.hub_coordinates);
+    if (control.stage == 0) predict(*alpha, control.order, data.hub_coordinates);
   } else {
     advance(std::get<Rk4>(method), control.stage, data.hub_coordinates);
   }
@@ -81,7 +82,7 @@ void begin_bodies(const Method& method, SubsystemData<World>& subsystem) noexcep
     if (control.stage != 0) return;
     for (BodyData<World>& body : subsystem.bodies) {
       begin_joint(method, control, body);
-      predict(*alpha, body.coordinates);
+      predict(*alpha, control.order, body.coordinates);
     }
     return;
   }

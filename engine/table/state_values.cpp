@@ -122,7 +122,7 @@ void for_each_state_part(StepData<World>& data, Apply&& apply, ApplyToRecord&& a
   apply_to_record();
   for (StepProgress& progress : data.progress) {
     apply(doubles(progress.power));
-    apply(doubles(progress.usual_change));
+    apply(doubles(progress.remembered));
   }
   for (SubsystemData<World>& subsystem : data.subsystems) for_each_state_part(subsystem, apply);
 }

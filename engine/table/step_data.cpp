@@ -179,6 +179,7 @@ void follow_rotors(const System<Space>& system, StepData<Space>& data) {
 template <class World>
 void allocate(const System<World>& system, const TableOptions& options, StepData<World>& data) {
   assert(options.window_steps >= 1 && options.linear_range >= 0.0 && options.history >= 0);
+  assert(3 + options.history <= static_cast<int>(data.hub_storage.size()));
   data.hub_storage.fill(TwistOf<World>::Zero());
   CoordinateBlock& hub = data.hub_coordinates;
   hub.size = World::kTwist;

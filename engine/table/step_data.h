@@ -188,7 +188,8 @@ class StepData final : public StepTable {
   HubState<World> hub;
   HubSolution<World> hub_solution;
   CoordinateBlock hub_coordinates;
-  std::array<TwistOf<World>, 7> hub_storage;  ///< memory of hub_coordinates
+  /// Memory of hub_coordinates: q, v, a and the integrator's history.
+  std::array<TwistOf<World>, 3 + std::tuple_size_v<decltype(CoordinateBlock::history)>> hub_storage;
   /// State of the hub's orientation besides hub_coordinates; empty in the plane.
   typename BodyTypes<World>::Attitude hub_attitude;
   std::vector<RotorData<World>> rotors;        ///< rotors on supports; it must not move

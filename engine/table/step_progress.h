@@ -31,6 +31,7 @@ struct PassControl {
   double time = 0.0;          ///< time of the state to evaluate [s]
   int stage = kEvaluateOnly;  ///< stage of rk4, or iteration of generalized_alpha
   Flag is_implicit;           ///< solve with the implicit elastic block
+  int order = 1;              ///< accelerations that a prediction goes on from, 1 to 3
   double relaxation = 1.0;    ///< share of the accelerations' change that the pass takes
 
   /// Whether the pass belongs to no step, and changes no coordinate.
@@ -95,6 +96,16 @@ struct PassReport {
   LoopNearness loop;           ///< the nearest
 };
 
+/// What the steps before tell the iteration of the next. Part of saved states, which hold doubles.
+struct IterationMemory {
+  double usual_change = 0.0;  ///< largest step change of the last steps, fading [m, rad]
+  double contraction = 0.0;   ///< largest of the last steps that have seen one, fading; 0: none has
+  double known = 1.0;         ///< accelerations that are known since a restart, to 3
+  double order = 2.0;         ///< see PassControl
+  double first_change = 0.0;  ///< first change of the last step that took it [m, rad]
+  double turn = 0.0;          ///< place of the next step in a round of trials, see foresight.h
+};
+
 /// Where a subsystem, or a coupled system, stands, and what it needs to turn the end of a pass into
 /// the start of the next (see integrator/step_control.h). Part of the table.
 struct alignas(kInterferenceSize) StepProgress {
@@ -105,10 +116,10 @@ struct alignas(kInterferenceSize) StepProgress {
   std::int64_t completed = kNone;  ///< the step that the last pass completed
   int passes = 0;                  ///< within the step
   StepOutcome outcome = StepOutcome::done;
-  Flag is_halted;             ///< nothing to do, at the end of the window or after a failure
-  double change = 0.0;        ///< change in the last iteration [m, rad]
-  double tolerance = 0.0;     ///< tolerance of the step's changes, or what is left of them [m, rad]
-  double usual_change = 0.0;  ///< largest step change of the last steps, fading [m, rad]
+  Flag is_halted;          ///< nothing to do, at the end of the window or after a failure
+  double change = 0.0;     ///< change in the last iteration [m, rad]
+  double tolerance = 0.0;  ///< tolerance of the step's changes, or what is left of them [m, rad]
+  IterationMemory remembered;
   double contraction =
       0.0;  ///< factor of changes by plain iterations, within the step; 0: not known
   double share_before = 1.0;  ///< share of its change that the last pass took

@@ -20,7 +20,7 @@ struct Vibration {
   double frequency;      // rad/s
   double damping = 0.0;  // share of the stiffness [s]
   double force = 0.0;    // per mass [m/s^2]
-  std::array<double, 7> storage{};
+  std::array<double, 3 + GeneralizedAlpha::count> storage{};
   CoordinateBlock block;
 
   explicit Vibration(double w) : frequency(w) {
@@ -28,7 +28,7 @@ struct Vibration {
     block.q = &storage[0];
     block.v = &storage[1];
     block.a = &storage[2];
-    for (int k = 0; k < 4; ++k) block.history[k] = &storage[3 + k];
+    for (std::size_t k = 0; k < GeneralizedAlpha::count; ++k) block.history[k] = &storage[3 + k];
     *block.q = 1.0;
     *block.a = -w * w;
   }
@@ -68,7 +68,7 @@ void start_with_true_acceleration(const GeneralizedAlpha& method, Vibration& y) 
 }
 
 void step(const GeneralizedAlpha& method, Vibration& y) {
-  predict(method, y.block);
+  predict(method, 2, y.block);
   const double a = solve(method, y);
   correct(method, &a, y.block);
 }
@@ -241,7 +241,8 @@ namespace {
 /// Random coordinates in two parts of n, with zeros before, between and behind them.
 struct PaddedBlock {
   static constexpr int kPad = 4;
-  std::array<std::vector<double>, 8> storage;  // q, v, a, history, new accelerations
+  // q, v, a, history, new accelerations
+  std::array<std::vector<double>, 4 + GeneralizedAlpha::count> storage;
   CoordinateBlock block;
 
   PaddedBlock(int n, std::mt19937& random) {
@@ -255,13 +256,14 @@ struct PaddedBlock {
     block.q = storage[0].data();
     block.v = storage[1].data();
     block.a = storage[2].data();
-    for (std::size_t k = 0; k < 4; ++k) block.history[k] = storage[3 + k].data();
+    for (std::size_t k = 0; k < GeneralizedAlpha::count; ++k)
+      block.history[k] = storage[3 + k].data();
   }
   bool is_padding(int i) const {
     return i < block.margin || i >= block.size - block.margin ||
            (i >= block.gap_begin && i < block.gap_end);
   }
-  const double* found() const { return storage[7].data(); }
+  const double* found() const { return storage.back().data(); }
 };
 
 /// Applies `apply(block, new accelerations)` to a block, and to each coordinate of a copy alone:
@@ -292,10 +294,11 @@ void check_alone(const Apply& apply) {
 
 TEST_CASE("each coordinate of a block is integrated as if it were alone") {
   const GeneralizedAlpha alpha = make_generalized_alpha(0.8, 0.005);
-  check_alone([&](CoordinateBlock& block, const double*) {
-    predict(alpha, block);
-    return 0.0;
-  });
+  for (const int order : {1, 2, 3})
+    check_alone([&](CoordinateBlock& block, const double*) {
+      predict(alpha, order, block);
+      return 0.0;
+    });
   check_alone([&](CoordinateBlock& block, const double* found) {
     return correct(alpha, found, block).change;
   });

@@ -22,7 +22,8 @@ struct Turning {
     block.q = storage.data();
     block.v = block.q + 5;
     block.a = block.v + 5;
-    for (std::size_t k = 0; k < 4; ++k) block.history[k] = block.a + 5 * (k + 1);
+    for (std::size_t k = 0; k < GeneralizedAlpha::count; ++k)
+      block.history[k] = block.a + 5 * (k + 1);
     std::copy_n(velocity(0.0).data(), 5, block.v);
     std::copy_n(acceleration(0.0).data(), 5, block.a);
   }
@@ -36,7 +37,7 @@ struct Turning {
   }
   space::Rotation orientation() const { return make_rotation(calc_orientation(rotation)); }
 
-  std::array<double, 35> storage{};
+  std::array<double, 5 * (3 + GeneralizedAlpha::count)> storage{};
   CoordinateBlock block;
   RotationState state;
   RotationBlock rotation;
@@ -55,7 +56,7 @@ void run(const GeneralizedAlpha& method, int steps, Turning& y) {
   clear_accelerations(y.block);
   complete_restart(method, Turning::acceleration(0.0).data(), y.block);
   for (int n = 1; n <= steps; ++n) {
-    predict(method, y.rotation);
+    predict(method, 2, y.rotation);
     correct(method, Turning::acceleration(n * method.step).data(), y.block);
   }
 }

@@ -33,7 +33,7 @@ Coordinates::Coordinates(int size, int rotation_at, TurnFrame frame)
     : q(static_cast<std::size_t>(size)),
       v(q.size()),
       a(q.size()),
-      history_(4 * q.size()),
+      history_(GeneralizedAlpha::count * q.size()),
       rotation_at_(rotation_at),
       frame_(frame) {}
 
@@ -43,7 +43,8 @@ CoordinateBlock Coordinates::block() {
   block.q = q.data();
   block.v = v.data();
   block.a = a.data();
-  for (std::size_t k = 0; k < 4; ++k) block.history[k] = history_.data() + k * q.size();
+  for (std::size_t k = 0; k < GeneralizedAlpha::count; ++k)
+    block.history[k] = history_.data() + k * q.size();
   return block;
 }
 

@@ -21,9 +21,9 @@ void predict_all(const GeneralizedAlpha& method, RigidTree& tree) {
   tree.for_coordinates([&](Coordinates& coordinates) {
     CoordinateBlock block = coordinates.block();
     if (coordinates.has_rotation())
-      predict(method, coordinates.rotation(block));
+      predict(method, 2, coordinates.rotation(block));
     else
-      spoke::predict(method, block);
+      spoke::predict(method, 2, block);
   });
 }
 

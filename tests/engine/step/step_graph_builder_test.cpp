@@ -79,6 +79,7 @@ void set_progress(const PassControl& control, SystemContext<Plane>& context) {
     progress.power = {3.0, 2.0};
     progress.work = 0.3;
     progress.dissipated = 0.2;
+    progress.control.order = 3;
   }
   context.data.window = {20, 20, true};
   // The second iteration completes its step.

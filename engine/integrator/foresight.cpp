@@ -1,0 +1,61 @@
+// Rounds of trials, and what is kept of them.
+
+#include "engine/integrator/foresight.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spoke {
+namespace {
+
+constexpr double kTrialEvery = 8.0, kMostOrder = 3.0;
+
+bool is_trial(const IterationMemory& memory) {
+  return std::fmod(memory.turn, kTrialEvery) == kTrialEvery - 1.0;
+}
+
+/// Returns a neighbour of the order: of 2 the one and the other in turns.
+double other_order(const IterationMemory& memory) {
+  if (memory.order != 2.0) return 2.0;
+  return memory.turn < kTrialEvery ? 3.0 : 1.0;
+}
+
+}  // namespace
+
+int choose_order(const IterationMemory& memory) noexcept {
+  const double order = is_trial(memory) ? other_order(memory) : memory.order;
+  return static_cast<int>(std::clamp(std::min(order, memory.known), 1.0, kMostOrder));
+}
+
+void learn_order(double first_change, StepProgress& progress) noexcept {
+  constexpr double kClearlyLess = 0.8;
+  IterationMemory& memory = progress.remembered;
+  if (!is_trial(memory)) {
+    memory.first_change = first_change;
+  } else if (first_change < kClearlyLess * memory.first_change) {
+    memory.order = progress.control.order;
+    memory.first_change = first_change;
+  }
+}
+
+double foretell_contraction(const StepProgress& progress) noexcept {
+  constexpr double kMargin = 10.0;
+  if (progress.contraction > 0.0) return std::min(progress.contraction, 1.0);
+  const IterationMemory& memory = progress.remembered;
+  if (progress.passes > 1 || memory.contraction == 0.0 || is_trial(memory)) return 1.0;
+  return std::min(kMargin * memory.contraction, 1.0);
+}
+
+void remember_step(bool is_plain, StepProgress& progress) noexcept {
+  // A contraction of less saves nothing more; 0 means that none is known.
+  constexpr double kLeast = 1e-9, kFade = 0.5;
+  IterationMemory& memory = progress.remembered;
+  if (progress.contraction > 0.0)
+    memory.contraction = std::max({progress.contraction, kFade * memory.contraction, kLeast});
+  memory.turn = is_plain ? 0.0 : std::fmod(memory.turn + 1.0, 2.0 * kTrialEvery);
+  memory.known = std::min(memory.known + 1.0, kMostOrder);
+}
+
+void forget_accelerations(StepProgress& progress) noexcept { progress.remembered.known = 1.0; }
+
+}  // namespace spoke

@@ -1,0 +1,34 @@
+#pragma once
+
+// What the steps before tell the iteration of the next (generalized_alpha).
+//
+// A step that begins near its solution, and whose iteration contracts fast, has made its first pass
+// only to confirm it. So a step remembers the contraction that the ones before have seen: the first
+// change times that, with a margin, is what it leaves. Predictions go on from the accelerations of
+// one, two or three steps: smooth motion is foretold best by three, vibrations that the step does
+// not resolve and that swing from one step to the next, by few. Every eighth step is a trial: it
+// measures the contraction anew, and predicts by another order, which is taken if it foretells
+// better. All of it is part of the state, so that resumed simulations keep their bits.
+
+#include "engine/table/step_progress.h"
+
+namespace spoke {
+
+/// Returns the order of the prediction of the next step (PassControl).
+int choose_order(const IterationMemory& memory) noexcept;
+
+/// Takes the first change of a step, which tells how good its prediction was.
+void learn_order(double first_change, StepProgress& progress) noexcept;
+
+/// Returns the contraction to count with, 0 to 1: the one that this step has seen; after its first
+/// pass that of steps before, with a margin; 1: none is known, or it is to be measured.
+double foretell_contraction(const StepProgress& progress) noexcept;
+
+/// Ends a step. `is_plain`: its first change was small enough by itself, and nothing was foretold;
+/// such steps need no trials.
+void remember_step(bool is_plain, StepProgress& progress) noexcept;
+
+/// Ends a restart, whose accelerations are the only ones that the next step knows.
+void forget_accelerations(StepProgress& progress) noexcept;
+
+}  // namespace spoke
