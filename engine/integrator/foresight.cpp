@@ -10,20 +10,14 @@ namespace {
 
 constexpr double kTrialEvery = 8.0, kMostOrder = 3.0;
 
-bool is_trial(const IterationMemory& memory) {
-  return std::fmod(memory.turn, kTrialEvery) == kTrialEvery - 1.0;
-}
+bool is_trial(const IterationMemory& memory) { return memory.turn == kTrialEvery - 1.0; }
 
-/// Returns a neighbour of the order: of 2 the one and the other in turns.
-double other_order(const IterationMemory& memory) {
-  if (memory.order != 2.0) return 2.0;
-  return memory.turn < kTrialEvery ? 3.0 : 1.0;
-}
+double other_order(double order) { return order == kMostOrder ? 2.0 : kMostOrder; }
 
 }  // namespace
 
 int choose_order(const IterationMemory& memory) noexcept {
-  const double order = is_trial(memory) ? other_order(memory) : memory.order;
+  const double order = is_trial(memory) ? other_order(memory.order) : memory.order;
   return static_cast<int>(std::clamp(std::min(order, memory.known), 1.0, kMostOrder));
 }
 
@@ -39,7 +33,7 @@ void learn_order(double first_change, StepProgress& progress) noexcept {
 }
 
 double foretell_contraction(const StepProgress& progress) noexcept {
-  constexpr double kMargin = 10.0;
+  constexpr double kMargin = 30.0;
   if (progress.contraction > 0.0) return std::min(progress.contraction, 1.0);
   const IterationMemory& memory = progress.remembered;
   if (progress.passes > 1 || memory.contraction == 0.0 || is_trial(memory)) return 1.0;
@@ -52,7 +46,7 @@ void remember_step(bool is_plain, StepProgress& progress) noexcept {
   IterationMemory& memory = progress.remembered;
   if (progress.contraction > 0.0)
     memory.contraction = std::max({progress.contraction, kFade * memory.contraction, kLeast});
-  memory.turn = is_plain ? 0.0 : std::fmod(memory.turn + 1.0, 2.0 * kTrialEvery);
+  memory.turn = is_plain ? 0.0 : std::fmod(memory.turn + 1.0, kTrialEvery);
   memory.known = std::min(memory.known + 1.0, kMostOrder);
 }
 
