@@ -16,8 +16,8 @@
 #include "bench/paper_rotor.h"
 #include "bench/progress.h"
 #include "bench/questions.h"
-#include "engine/support/instructions.h"
 #include "graph/machine/duration_text.h"
+#include "models/support/instructions.h"
 #include "models/system/spatial_system.h"
 
 namespace spoke::bench {

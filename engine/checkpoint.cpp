@@ -15,10 +15,10 @@
 #include "engine/output_file.h"
 #include "engine/support/byte_order.h"
 #include "engine/support/hash.h"
-#include "engine/support/instructions.h"
 #include "engine/support/log.h"
 #include "models/count_text.h"
 #include "models/error.h"
+#include "models/support/instructions.h"
 
 namespace spoke {
 namespace {

@@ -9,10 +9,10 @@
 
 #include "engine/output_file.h"
 #include "engine/run_statistics.h"
-#include "engine/support/instructions.h"
 #include "engine/support/machine_json.h"
 #include "models/error.h"
 #include "models/reader/scenario_json.h"
+#include "models/support/instructions.h"
 
 namespace spoke {
 namespace {

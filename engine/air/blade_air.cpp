@@ -94,7 +94,7 @@ BladeAir::Point BladeAir::find_point(const RotorPlace& rotor, const Station& sta
   const SectionFlow flow = find_flow(axes, section, wind, station.center, in_plane);
   const double speed = find_size(flow.axial, flow.ahead);
   Point point{station, axes, flow};
-  point.level = station.polar.level(speed * station.chord / viscosity_);
+  point.level = station.polar->level(speed * station.chord / viscosity_);
   point.turning = find_turning_angle(axes, section, flow, station.chord);
   return point;
 }
@@ -107,7 +107,7 @@ InducedFlow BladeAir::solve_momentum(const Point& point) const noexcept {
                         station.root, inflow_factor_};
   const double pitch = std::atan2(point.axes.pitch_sine, point.axes.pitch_cosine) + point.turning;
   return solve_annulus(annulus, point.flow, [&](double angle) {
-    return station.polar.lift(point.level, angle + pitch);
+    return station.polar->lift(point.level, angle + pitch);
   });
 }
 
@@ -172,7 +172,7 @@ void BladeAir::evaluate(const RotorPlace& rotor, std::span<const MarkerMotion> s
     point.ahead = point.flow.ahead + induced.tangential;
     point.relative = find_size(point.axial, point.ahead);
     const double attack = wrap(point.axes.find_attack(point.axial, point.ahead) + point.turning);
-    PolarValues polar = point.station.polar.values(point.level, attack);
+    PolarValues polar = point.station.polar->values(point.level, attack);
     polar.lift = advance_lift(advance, polar, point);
     polar.moment += calc_turning_moment(point.turning, polar.separation);
     save_state(point.state, after + i * kStates);

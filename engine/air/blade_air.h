@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -41,14 +42,19 @@ struct StationAir {
 /// at a time.
 class SPOKE_EXPORT BladeAir {
  public:
+  using Polars = std::vector<std::shared_ptr<const SectionPolar>>;
+
   /// Makes the air on a blade of a rotor of so many. hub_radius: of the blade's root [m].
   /// stations: at which loads act, from the root, two or more, ascending, of the undeformed blade
-  /// [m]. Chord, twist, aerodynamic centre and coefficients are interpolated linearly between the
-  /// stations of `blade` and are those of its ends beyond them. Tip and root losses are those of
-  /// the undeformed radii; the tip is the last of all stations. Throws InputError for an aerofoil
-  /// that `air` lacks.
+  /// [m]; polars: coefficients at each of them (make_polars()). Chord, twist and aerodynamic centre
+  /// are interpolated linearly between the stations of `blade` and are those of its ends beyond
+  /// them. Tip and root losses are those of the undeformed radii; the tip is the last of all
+  /// stations.
   BladeAir(const spatial::BladeAerodynamics& blade, const spatial::Air& air, int blades,
-           double hub_radius, std::vector<double> stations);
+           double hub_radius, std::vector<double> stations, Polars polars);
+  /// Makes the coefficients, too. Throws InputError for an aerofoil that `air` lacks.
+  BladeAir(const spatial::BladeAerodynamics& blade, const spatial::Air& air, int blades,
+           double hub_radius, const std::vector<double>& stations);
 
   /// Returns the number of stations.
   std::size_t count() const { return stations_.size(); }
@@ -88,7 +94,7 @@ class SPOKE_EXPORT BladeAir {
     double sine, cosine;   // of the chord's twist
     double tip, root;      // of Annulus
     double span_ratio;     // undeformed radius by the tip's
-    SectionPolar polar;
+    std::shared_ptr<const SectionPolar> polar;
   };
   struct Point;
   struct Advance;

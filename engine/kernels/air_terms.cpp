@@ -59,7 +59,8 @@ void place_on(const BladeAirModel& model, std::size_t i, SubsystemData<Space>& d
   const std::size_t stations = model.places.size();
   AirData<Space>& made = data.air.emplace();
   made.blade = std::make_shared<const air::BladeAir>(model.aerodynamics, *model.air, model.blades,
-                                                     model.hub_radius, model.aerodynamics.station);
+                                                     model.hub_radius, model.aerodynamics.station,
+                                                     model.polars);
   for (const BladeAirModel::Place& place : model.places)
     made.markers.push_back(place_station(place, i, data));
   const std::size_t states = made.blade->state_size() + 1;

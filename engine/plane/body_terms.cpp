@@ -8,7 +8,7 @@
 
 #include "engine/plane/band_products.h"
 #include "engine/plane/nonlinear_strain.h"
-#include "engine/support/wide_kernels.h"
+#include "models/support/wide_kernels.h"
 
 namespace spoke::plane {
 namespace {

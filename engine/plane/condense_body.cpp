@@ -5,7 +5,7 @@
 
 #include "engine/formulation/structured.h"
 #include "engine/plane/handle_motion.h"
-#include "engine/support/wide_kernels.h"
+#include "models/support/wide_kernels.h"
 
 namespace spoke::structured {
 namespace {

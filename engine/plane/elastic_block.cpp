@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cassert>
 
-#include "engine/support/wide_kernels.h"
 #include "models/support/unroll.h"
+#include "models/support/wide_kernels.h"
 
 namespace spoke::plane {
 

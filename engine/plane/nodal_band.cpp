@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "engine/support/wide_kernels.h"
+#include "models/support/wide_kernels.h"
 
 namespace spoke::plane {
 

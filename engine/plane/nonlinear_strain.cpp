@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/support/wide_kernels.h"
+#include "models/support/wide_kernels.h"
 
 namespace spoke::plane {
 namespace {

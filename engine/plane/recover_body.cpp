@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "engine/formulation/structured.h"
-#include "engine/support/wide_kernels.h"
+#include "models/support/wide_kernels.h"
 
 namespace spoke::structured {
 namespace {

@@ -6,7 +6,7 @@
 #include <cassert>
 
 #include "engine/space/plane_coordinates.h"
-#include "engine/support/wide_kernels.h"
+#include "models/support/wide_kernels.h"
 
 namespace spoke::space {
 namespace {

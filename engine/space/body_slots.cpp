@@ -5,9 +5,9 @@
 #include <cassert>
 #include <utility>
 
-#include "engine/support/wide_kernels.h"
 #include "models/support/simd.h"
 #include "models/support/unroll.h"
+#include "models/support/wide_kernels.h"
 
 namespace spoke::space {
 namespace {

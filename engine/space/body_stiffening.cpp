@@ -7,8 +7,8 @@
 #include "engine/space/element_products.h"
 #include "engine/space/plane_coordinates.h"
 #include "engine/space/tension_weights.h"
-#include "engine/support/wide_kernels.h"
 #include "models/support/gauss_rule.h"
+#include "models/support/wide_kernels.h"
 
 namespace spoke::space {
 namespace {

@@ -10,7 +10,7 @@
 #include "engine/space/element_products.h"
 #include "engine/space/nonlinear_strain.h"
 #include "engine/space/straight_terms.h"
-#include "engine/support/wide_kernels.h"
+#include "models/support/wide_kernels.h"
 
 namespace spoke::space {
 namespace {

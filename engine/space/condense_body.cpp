@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "engine/space/element_products.h"
-#include "engine/support/wide_kernels.h"
 #include "models/support/unroll.h"
+#include "models/support/wide_kernels.h"
 
 namespace spoke::space {
 namespace {

@@ -8,9 +8,9 @@
 
 #include "engine/space/nodal_memory.h"
 #include "engine/space/sparse_solve.h"
-#include "engine/support/wide_kernels.h"
 #include "models/space/twist_columns.h"
 #include "models/support/unroll.h"
+#include "models/support/wide_kernels.h"
 
 namespace spoke::space {
 namespace {

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/support/wide_kernels.h"
+#include "models/support/wide_kernels.h"
 
 namespace spoke::space {
 namespace {

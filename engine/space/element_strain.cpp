@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstddef>
 
-#include "engine/support/wide_kernels.h"
 #include "models/space/rotation_series.h"
 #include "models/space/twist_columns.h"
+#include "models/support/wide_kernels.h"
 
 namespace spoke::space {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "engine/space/plane_coordinates.h"
 #include "engine/space/tension_weights.h"
-#include "engine/support/wide_kernels.h"
+#include "models/support/wide_kernels.h"
 
 namespace spoke::space {
 namespace {

@@ -6,8 +6,8 @@
 #include <cassert>
 
 #include "engine/space/lanes.h"
-#include "engine/support/wide_kernels.h"
 #include "models/space/rotation_series.h"
+#include "models/support/wide_kernels.h"
 
 namespace spoke::space {
 namespace {

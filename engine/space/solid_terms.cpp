@@ -7,7 +7,7 @@
 
 #include "engine/space/nodal_body.h"
 #include "engine/space/solid_block.h"
-#include "engine/support/wide_kernels.h"
+#include "models/support/wide_kernels.h"
 
 namespace spoke::space {
 namespace {

@@ -6,8 +6,8 @@
 #include <cassert>
 #include <cmath>
 
-#include "engine/support/wide_kernels.h"
 #include "models/support/simd.h"
+#include "models/support/wide_kernels.h"
 
 namespace spoke::space {
 namespace {

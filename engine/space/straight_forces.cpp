@@ -4,7 +4,7 @@
 
 #include "engine/space/body_stiffening.h"
 #include "engine/space/tension_weights.h"
-#include "engine/support/wide_kernels.h"
+#include "models/support/wide_kernels.h"
 
 namespace spoke::space {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "engine/space/lanes.h"
 #include "engine/space/straight_forces.h"
-#include "engine/support/wide_kernels.h"
+#include "models/support/wide_kernels.h"
 
 namespace spoke::space {
 namespace {

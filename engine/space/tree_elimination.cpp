@@ -10,7 +10,7 @@
 #include "engine/space/condense_body.h"
 #include "engine/space/condense_solid.h"
 #include "engine/space/table_terms.h"
-#include "engine/support/wide_kernels.h"
+#include "models/support/wide_kernels.h"
 
 namespace spoke::structured {
 namespace {

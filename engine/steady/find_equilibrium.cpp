@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 #include "engine/steady/alike_subsystems.h"
 #include "engine/steady/close_loops.h"
@@ -24,6 +26,26 @@ constexpr int kMostIterations = 60;
 constexpr double kSmallestStep = 1.0 / 128;   ///< of the line search
 constexpr double kSmallestShare = 1.0 / 256;  ///< of a load step
 constexpr double kConverged = 1e-9;  ///< change by the scale of coordinates, before polish()
+constexpr double kNear = 0.1;        ///< to which share corrections by kept factors must shrink
+
+}  // namespace
+
+/// The derivative of the forces on a subsystem, factorised on what its loops leave free.
+struct Tangent {
+  Eigen::MatrixXd slope;
+  FreeMotion free;
+  LuFactors lu;
+  LeastSquares least_squares;
+  bool is_singular = false;
+  Eigen::Index loose = 0;  ///< a coordinate that nothing holds, if it is singular
+
+  Tangent(Eigen::MatrixXd by_q, FreeMotion motion)
+      : slope(std::move(by_q)), free(std::move(motion)) {}
+  /// Whether it stays of use where the subsystem has moved a little.
+  bool serves() const { return free.is_all() && !is_singular; }
+};
+
+namespace {
 
 /// A change of coordinates, and of the forces of loops.
 struct Change {
@@ -56,13 +78,31 @@ class Search {
     return false;
   }
 
+  /// Moves q to the equilibrium by the factors of another one that is near, as long as they bring
+  /// it there quickly. Returns false if they do not; q is then as before.
+  bool run_by(std::shared_ptr<const Tangent> kept, VectorXd& q) {
+    const VectorXd start = q;
+    tangent = std::move(kept);
+    for (double last = std::numeric_limits<double>::infinity(); last > kConverged;) {
+      ++iterations;
+      const std::optional<SubsystemResponse> at = evaluate(q, multipliers);
+      const VectorXd change = at ? correct(*at).q : VectorXd();
+      if (!at || !(size(change) <= kNear * last) || !change.allFinite()) {
+        q = start;
+        return false;
+      }
+      q += change;
+      last = size(change);
+    }
+    return polish(q);
+  }
+
   VectorXd multipliers;  ///< forces of the rows of loops
   int iterations = 0;
   double last_change = 0.0;
-  Eigen::Index worst = 0;  ///< coordinate of the largest correction
-  bool is_singular = false;
-  bool is_locked = false;  ///< whether the loops are in a singular position
-  Eigen::Index loose = 0;  ///< a coordinate that nothing holds, if it is singular
+  Eigen::Index worst = 0;                  ///< coordinate of the largest correction
+  bool is_locked = false;                  ///< whether the loops are in a singular position
+  std::shared_ptr<const Tangent> tangent;  ///< the last one
 
  private:
   double size(const VectorXd& change) const {
@@ -79,50 +119,55 @@ class Search {
   /// Factorises the derivative of the forces on what the loops leave free. Returns false where the
   /// loops are in a singular position.
   bool factorise(const VectorXd& q, const SubsystemResponse& at) {
-    slope_ = calc_stiffness(subsystem_, q, at.multipliers, model_);
-    free_.emplace(model_.closures(subsystem_).rightCols(scale_.size()), rows_,
-                  model_.coordinates(subsystem_));
-    is_locked = free_->rows().size() < rows_.size();
+    const auto made =
+        std::make_shared<Tangent>(calc_stiffness(subsystem_, q, at.multipliers, model_),
+                                  FreeMotion(model_.closures(subsystem_).rightCols(scale_.size()),
+                                             rows_, model_.coordinates(subsystem_)));
+    tangent = made;
+    const FreeMotion& free = made->free;
+    is_locked = free.rows().size() < rows_.size();
     if (is_locked) return false;
-    const Eigen::Index n = std::ssize(free_->independent());
+    const Eigen::Index n = std::ssize(free.independent());
     if (n == 0) return true;
-    const VectorXd scale = scale_(free_->independent());
-    const Eigen::MatrixXd slope = scale.asDiagonal() * reduce(slope_) * scale.asDiagonal();
-    lu_.compute(slope);
-    is_singular = !(lu_.rcond() > 1e-15);
-    if (!is_singular) return true;
-    least_squares_.compute(slope);
-    const Eigen::Index rank = std::min(least_squares_.rank(), n - 1);
-    loose = free_->independent()[static_cast<std::size_t>(least_squares_.pivot(rank))];
+    const VectorXd scale = scale_(free.independent());
+    const Eigen::MatrixXd slope =
+        scale.asDiagonal() * reduce(made->slope, free) * scale.asDiagonal();
+    made->lu.compute(slope);
+    made->is_singular = !(made->lu.rcond() > 1e-15);
+    if (!made->is_singular) return true;
+    made->least_squares.compute(slope);
+    const Eigen::Index rank = std::min(made->least_squares.rank(), n - 1);
+    made->loose = free.independent()[static_cast<std::size_t>(made->least_squares.pivot(rank))];
     return true;
   }
 
-  Eigen::MatrixXd reduce(const Eigen::MatrixXd& matrix) const {
-    if (free_->is_all()) return matrix;
-    return free_->basis().transpose() * matrix * free_->basis();
+  static Eigen::MatrixXd reduce(const Eigen::MatrixXd& matrix, const FreeMotion& free) {
+    if (free.is_all()) return matrix;
+    return free.basis().transpose() * matrix * free.basis();
   }
 
   /// Returns the motion that these forces on independent coordinates take to come to rest.
   VectorXd follow(const VectorXd& force) const {
-    const VectorXd scale = scale_(free_->independent());
+    const VectorXd scale = scale_(tangent->free.independent());
     const VectorXd scaled = scale.asDiagonal() * force;
     VectorXd correction(scaled.size());
-    if (is_singular) {
-      correction = least_squares_.solve(scaled);
+    if (tangent->is_singular) {
+      correction = tangent->least_squares.solve(scaled);
     } else if (scaled.size() > 0) {
-      lu_.solve(scaled, correction);
+      tangent->lu.solve(scaled, correction);
     }
     return scale.asDiagonal() * correction;
   }
 
   Change correct(const SubsystemResponse& at) const {
-    if (free_->is_all()) return {follow(at.force), VectorXd::Zero(multipliers.size())};
-    const Eigen::MatrixXd& Z = free_->basis();
+    const FreeMotion& free = tangent->free;
+    if (free.is_all()) return {follow(at.force), VectorXd::Zero(multipliers.size())};
+    const Eigen::MatrixXd& Z = free.basis();
     Change change;
-    change.q = free_->open(-VectorXd(at.openings(free_->rows())));
-    const VectorXd left = at.force - slope_ * change.q;
+    change.q = free.open(-VectorXd(at.openings(free.rows())));
+    const VectorXd left = at.force - tangent->slope * change.q;
     change.q += Z * follow(Z.transpose() * left);
-    change.multipliers = free_->hold(at.force - slope_ * change.q);
+    change.multipliers = free.hold(at.force - tangent->slope * change.q);
     return change;
   }
 
@@ -169,10 +214,6 @@ class Search {
   SteadyModel& model_;
   const std::vector<Eigen::Index>& rows_;  ///< rigid ones that do not depend on others
   VectorXd scale_;
-  Eigen::MatrixXd slope_;
-  std::optional<FreeMotion> free_;
-  LuFactors lu_;
-  LeastSquares least_squares_;
 };
 
 /// Throws if the loops of a subsystem are where they do not determine its motion.
@@ -205,9 +246,9 @@ void keep(std::size_t subsystem, const Search& search, int steps, const SteadyMo
   result.load_steps = std::max(result.load_steps, steps);
   result.iterations += search.iterations;
   result.last_change = std::max(result.last_change, search.last_change);
-  if (search.is_singular)
+  if (const Tangent* tangent = search.tangent.get(); tangent && tangent->is_singular)
     result.loose = model.name_of(subsystem) + " / " +
-                   model.coordinates(subsystem)[static_cast<std::size_t>(search.loose)].name;
+                   model.coordinates(subsystem)[static_cast<std::size_t>(tangent->loose)].name;
 }
 
 /// Finds the equilibrium of one subsystem, in as many load steps as it takes.
@@ -237,13 +278,16 @@ void find_subsystem(std::size_t subsystem, SteadyModel& model, Equilibrium& resu
 
 /// Goes on from the equilibrium of one subsystem at another state. Returns false if none is found.
 bool continue_subsystem(std::size_t subsystem, const Equilibrium& at, const SteadyModel& before,
-                        SteadyModel& model, Equilibrium& result) {
+                        SteadyModel& model, Tangents* kept, Equilibrium& result) {
   model.settle_at(subsystem, before.absolute(subsystem, at.q[subsystem]));
   result.q[subsystem] = at.q[subsystem];
   result.rows[subsystem] = at.rows[subsystem];
   Search search(subsystem, result.rows[subsystem], model);
   search.multipliers = at.multipliers[subsystem];
-  if (!search.run(result.q[subsystem])) return false;
+  const auto tangent = kept ? (*kept)[subsystem] : nullptr;
+  const bool is_near = tangent && tangent->serves() && search.run_by(tangent, result.q[subsystem]);
+  if (!is_near && !search.run(result.q[subsystem])) return false;
+  if (kept) (*kept)[subsystem] = search.tangent;
   keep(subsystem, search, 1, model, result);
   return true;
 }
@@ -304,12 +348,13 @@ Equilibrium find_equilibrium(SteadyModel& model) {
 }
 
 std::optional<Equilibrium> continue_equilibrium(const Equilibrium& at, const SteadyModel& before,
-                                                SteadyModel& model) {
+                                                SteadyModel& model, Tangents* kept) {
   Equilibrium result = make_empty(model);
+  if (kept) kept->resize(model.subsystems());
   for (std::size_t i = 0; i < model.subsystems(); ++i) {
     const std::size_t first = result.alike[i];
     const bool is_taken = first != i && take_over(first, i, model, result);
-    if (!is_taken && !continue_subsystem(i, at, before, model, result)) return std::nullopt;
+    if (!is_taken && !continue_subsystem(i, at, before, model, kept, result)) return std::nullopt;
   }
   add_wrench(model, result);
   return result;

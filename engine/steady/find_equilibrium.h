@@ -2,6 +2,7 @@
 
 // The equilibrium of a model: where it stands still in the frame that turns with its hub.
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,11 +32,16 @@ struct Equilibrium {
 /// Leaves the model at its equilibrium.
 Equilibrium find_equilibrium(SteadyModel& model);
 
+struct Tangent;
+/// By subsystem: the derivative by which its equilibrium was found last, or none.
+using Tangents = std::vector<std::shared_ptr<const Tangent>>;
+
 /// Goes on from the equilibrium `at` of `before`, another model of the same bodies, which stands
 /// near: all loads at once. Returns none if Newton's method finds no equilibrium from there; the
-/// model is then at no state in particular.
+/// model is then at no state in particular. kept: what trials after one another, between which next
+/// to nothing changes, may share; empty at first.
 std::optional<Equilibrium> continue_equilibrium(const Equilibrium& at, const SteadyModel& before,
-                                                SteadyModel& model);
+                                                SteadyModel& model, Tangents* kept = nullptr);
 
 /// Throws InputError if the equilibrium has a loose coordinate.
 void require_held(const Equilibrium& equilibrium);

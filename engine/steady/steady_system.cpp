@@ -183,17 +183,19 @@ void SteadySystem<World>::set_undeformed() {
     evaluate(i, {zero, zero, zero, zero}, no_offset(), response);
     calc_poses(context_.system.subsystems[i], data(i), data(i).poses);
     tip_axes_.push_back(outer_axes(data(i)));
-    stiffness_.push_back(assemble_stiffness(i));
   }
+  stiffness_.resize(subsystems());
 }
 
 template <class World>
 const Eigen::MatrixXd& SteadySystem<World>::stiffness(std::size_t subsystem) {
   const auto& bodies = data(subsystem).bodies;
-  if (std::any_of(bodies.begin(), bodies.end(),
+  Eigen::MatrixXd& stiffness = stiffness_[subsystem];
+  if (stiffness.size() == 0 ||
+      std::any_of(bodies.begin(), bodies.end(),
                   [](const BodyData<World>& body) { return has_nonlinear_strain(body); }))
-    stiffness_[subsystem] = assemble_stiffness(subsystem);
-  return stiffness_[subsystem];
+    stiffness = assemble_stiffness(subsystem);
+  return stiffness;
 }
 
 template <class World>

@@ -135,8 +135,9 @@ Equilibrium join(const SupportedEquilibrium& parts) {
 }
 
 /// Goes on from an equilibrium of another model of the same bodies, or searches anew.
-Equilibrium go_on(const Equilibrium& at, const SteadyModel& before, SteadyModel& model) {
-  std::optional<Equilibrium> found = continue_equilibrium(at, before, model);
+Equilibrium go_on(const Equilibrium& at, const SteadyModel& before, SteadyModel& model,
+                  Tangents* kept = nullptr) {
+  std::optional<Equilibrium> found = continue_equilibrium(at, before, model, kept);
   Equilibrium result = found ? std::move(*found) : find_equilibrium(model);
   result.iterations += at.iterations;
   result.load_steps = std::max(result.load_steps, at.load_steps);
@@ -149,12 +150,13 @@ Equilibrium iterate(SupportedEquilibrium parts, SupportedModel& model) {
   constexpr double kSettled = 1e-12;  // change of the hub's axes [rad]
   Matrix3d axes = model.hub_place().axes;
   double change = 0.0;
+  Tangents of_rotor, of_support;
   for (int k = 0; k < kMost; ++k) {
     const std::unique_ptr<SteadyModel> rotor = model.move_rotor(axes);
-    parts.rotor = go_on(parts.rotor, *rotor, model.rotor());
+    parts.rotor = go_on(parts.rotor, *rotor, model.rotor(), &of_rotor);
     const HubVector wrench = model.mean_wrench(parts.rotor, HubVector::Zero(6), DeadLoads::all);
     const std::unique_ptr<SteadyModel> support = model.load_support(wrench);
-    parts.support = go_on(parts.support, *support, model.support());
+    parts.support = go_on(parts.support, *support, model.support(), &of_support);
     const Matrix3d next = model.hub_place().axes;
     change = space::logarithm(space::Rotation{next * axes.transpose()}).norm();
     if (change <= kSettled) {

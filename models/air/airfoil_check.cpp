@@ -35,19 +35,20 @@ std::optional<PolarFault> find_angle_fault(const std::vector<double>& angle) {
     return PolarFault{-1, "angle", has + " angles of attack, expected 3 or more",
                       has + " values, expected 3 or more"};
   }
-  const std::string end = describe(std::numbers::pi);
   for (std::size_t i = 0; i < angle.size(); ++i) {
     const int row = static_cast<int>(i);
     if (!std::isfinite(angle[i]))
       return make_angle_fault(row, angle[i], "a finite number", "a finite number");
     if (i == 0 && std::abs(angle[i] + std::numbers::pi) > least_gap)
-      return make_angle_fault(row, angle[i], "-180 in the first row", "-pi as the first, -" + end);
+      return make_angle_fault(row, angle[i], "-180 in the first row",
+                              "-pi as the first, -" + describe(std::numbers::pi));
     if (i > 0 && !(angle[i] > angle[i - 1] + least_gap))
       return make_angle_fault(row, angle[i],
                               "more than in the row before, " + in_degrees(angle[i - 1]),
                               "more than the one before, " + describe(angle[i - 1]));
     if (i + 1 == angle.size() && std::abs(angle[i] - std::numbers::pi) > least_gap)
-      return make_angle_fault(row, angle[i], "180 in the last row", "pi as the last, " + end);
+      return make_angle_fault(row, angle[i], "180 in the last row",
+                              "pi as the last, " + describe(std::numbers::pi));
   }
   return std::nullopt;
 }
@@ -103,20 +104,22 @@ void check_airfoil(const Airfoil& airfoil) {
   if (airfoil.polars.empty()) refuse("has no polars, expected one or more");
   for (std::size_t k = 0; k < airfoil.polars.size(); ++k) {
     const Polar& polar = airfoil.polars[k];
-    const std::string name = "polar " + std::to_string(k + 1) + ": ";
+    const auto name = [k] { return "polar " + std::to_string(k + 1) + ": "; };
+    const auto refuse_reynolds = [&](const char* expected) {
+      refuse(name() + "Reynolds number is " + describe(polar.reynolds) + ", expected " + expected);
+    };
     if (airfoil.polars.size() > 1) {
-      const std::string is = name + "Reynolds number is " + describe(polar.reynolds);
       if (!(polar.reynolds > 0.0) || !std::isfinite(polar.reynolds))
-        refuse(is + ", expected a number greater than 0");
+        refuse_reynolds("a number greater than 0");
       if (k > 0 && !(polar.reynolds > airfoil.polars[k - 1].reynolds))
-        refuse(is + ", expected more than in the polar before");
+        refuse_reynolds("more than in the polar before");
     } else if (!(polar.reynolds >= 0.0) || !std::isfinite(polar.reynolds)) {
-      refuse(name + "Reynolds number is " + describe(polar.reynolds) + ", expected 0 or more");
+      refuse_reynolds("0 or more");
     }
     if (const auto fault = find_polar_fault(polar)) {
       const std::string row =
           fault->row >= 0 ? "row " + std::to_string(fault->row + 1) + ": " : std::string();
-      refuse(name + row + fault->what);
+      refuse(name() + row + fault->what);
     }
   }
 }

@@ -3,12 +3,13 @@
 
 #include "models/air/turbulence.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstdint>
-#include <unsupported/Eigen/FFT>
 #include <vector>
 
+#include "models/air/inverse_fourier.h"
 #include "models/air/turbulence_coherence.h"
 #include "models/support/quantity.h"
 #include "spoke/error.h"
@@ -31,38 +32,59 @@ double length_scale_of(const WindTurbulence& turbulence, double reference_height
   return turbulence.length_scale.value_or(calc_length_scale(reference_height));
 }
 
-/// Fourier coefficients of one component at all points, by point and frequency.
+/// Fourier coefficients of one component at all points, then its courses.
 class FourierComponent {
  public:
-  FourierComponent(const WindBox& box, std::size_t component)
-      : component_(component),
-        points_(box.n_y * box.n_z),
-        coefficients_(points_ * (box.n_t / 2 + 1)) {}
-
-  void set(std::size_t frequency, double amplitude,
-           const std::vector<std::complex<double>>& phasors) {
-    for (std::size_t p = 0; p < points_; ++p)
-      coefficients_[p * stride() + frequency] = amplitude * phasors[p];
+  FourierComponent(std::size_t points, std::size_t length) : points_(points) {
+    for (std::size_t p = 0; p < points; p += kGroup) groups_.emplace_back(length);
   }
 
-  /// Transforms to times, with the standard deviation `deviation` at the centre of the grid.
-  void write(double deviation, WindBox& box) {
-    Eigen::FFT<double> transform;
-    transform.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-    std::vector<double> course(box.n_t);
-    for (std::size_t p = 0; p < points_; ++p) {
-      transform.inv(course.data(), &coefficients_[p * stride()],
-                    static_cast<Eigen::Index>(box.n_t));
-      for (std::size_t t = 0; t < box.n_t; ++t)
-        box.values[3 * (t * points_ + p) + component_] = static_cast<float>(course[t]);
+  /// Sets coefficients of a frequency at all points.
+  void set(std::size_t frequency, double amplitude,
+           const std::vector<std::complex<double>>& phasors) {
+    std::array<std::complex<double>, kGroup> group{};
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      const std::size_t begin = g * kGroup, count = std::min(kGroup, points_ - begin);
+      for (std::size_t i = 0; i < count; ++i) group[i] = amplitude * phasors[begin + i];
+      groups_[g].set(frequency, group);
     }
-    const double found = std::sqrt(calc_center_variance(box));
-    const auto factor = static_cast<float>(deviation / found);
-    for (std::size_t i = component_; i < box.values.size(); i += 3) box.values[i] *= factor;
+  }
+
+  /// Transforms to times and writes the component of the box, with the standard deviation
+  /// `deviation` at the centre of the grid. The coefficients are gone then.
+  void write(double deviation, std::size_t component, InverseFourier& fourier, WindBox& box) {
+    for (EightSeries& group : groups_) {
+      // The mean, and the frequency of two steps, whose phase is not free.
+      group.places.front() = group.places[box.n_t / 2] = {};
+      fourier.transform(group);
+    }
+    const auto factor = static_cast<float>(deviation / std::sqrt(calc_center_variance(box)));
+    // Some times of all points after some others: both sides stay in the cache.
+    constexpr std::size_t times = 16;
+    for (std::size_t t = 0; t < box.n_t; t += times)
+      for (std::size_t g = 0; g < groups_.size(); ++g)
+        for (std::size_t i = t; i < std::min(t + times, box.n_t); ++i)
+          write_group(g, i, factor, &box.values[3 * i * points_ + component]);
   }
 
  private:
-  std::size_t stride() const { return coefficients_.size() / points_; }
+  static constexpr std::size_t kGroup = EightSeries::kCount;
+
+  float value(std::size_t t, std::size_t point) const {
+    return static_cast<float>(groups_[point / kGroup].value(t, point % kGroup));
+  }
+
+  /// Writes the values of a group at a time, of which point 0 is at `out`.
+  void write_group(std::size_t g, std::size_t t, float factor, float* out) const {
+    std::array<float, kGroup> values;
+    const EightSeries::Place& place = groups_[g].places[t];
+    for (std::size_t i = 0; i < 4; ++i) {
+      values[i] = static_cast<float>(place.first[i]) * factor;
+      values[i + 4] = static_cast<float>(place.last[i]) * factor;
+    }
+    const std::size_t count = std::min(kGroup, points_ - g * kGroup);
+    for (std::size_t i = 0; i < count; ++i) out[3 * (g * kGroup + i)] = values[i];
+  }
 
   /// Returns the mean variance of the points next to the centre: of one, two or four.
   double calc_center_variance(const WindBox& box) const {
@@ -71,14 +93,14 @@ class FourierComponent {
     for (std::size_t z = (box.n_z - 1) / 2; z <= box.n_z / 2; ++z)
       for (std::size_t y = (box.n_y - 1) / 2; y <= box.n_y / 2; ++y, ++count)
         for (std::size_t t = 0; t < box.n_t; ++t) {
-          const double value = box.values[box.index(t, z, y) + component_];
-          sum += value * value;
+          const double course = value(t, z * box.n_y + y);
+          sum += course * course;
         }
     return sum / static_cast<double>(count * box.n_t);
   }
 
-  std::size_t component_, points_;
-  std::vector<std::complex<double>> coefficients_;
+  std::size_t points_;
+  std::vector<EightSeries> groups_;
 };
 
 /// Returns a box of zeros.
@@ -139,35 +161,80 @@ double calc_coherence_rate(const WindTurbulence& turbulence, double speed, doubl
   return turbulence.coherence_decay * std::hypot(frequency / speed, kCoherenceOffset / length);
 }
 
-WindBox make_turbulence(const WindTurbulence& turbulence, double speed, double reference_height) {
-  WindBox box = make_box(turbulence, speed, reference_height);
-  CoherentDraw grid(box.n_y, box.n_z, box.dy, box.dz);
-  CoherentDraw alone(box.n_y, box.n_z, box.dy, box.dz);  // which stays independent
-  const auto spectra = make_spectra(turbulence, speed, reference_height);
-  const double spacing = 1.0 / (static_cast<double>(box.n_t) * box.dt);
-  std::vector<FourierComponent> components;
-  std::vector<RandomStream> random;
-  for (std::size_t c = 0; c < 3; ++c) {
-    components.emplace_back(box, c);
-    random.emplace_back(4 * static_cast<std::uint64_t>(turbulence.seed) + c);
+namespace {
+
+/// Draws components of turbulence. What is coherent is drawn by frequency for all of them, since
+/// the coherence of a frequency is that of each.
+class Drawing {
+ public:
+  Drawing(const WindTurbulence& turbulence, double reference_height, WindBox& box)
+      : turbulence_(turbulence),
+        reference_height_(reference_height),
+        box_(box),
+        spectra_(make_spectra(turbulence, box.speed, reference_height)),
+        grid_(box.n_y, box.n_z, box.dy, box.dz),
+        fourier_(box.n_t) {}
+
+  /// Draws the components from `begin` to before `end`.
+  void draw(std::size_t begin, std::size_t end, bool is_coherent) {
+    while (components_.size() < end - begin)
+      components_.emplace_back(box_.n_y * box_.n_z, box_.n_t);
+    std::vector<RandomStream> random;
+    for (std::size_t c = begin; c < end; ++c)
+      random.emplace_back(4 * static_cast<std::uint64_t>(turbulence_.seed) + c);
+    for (std::size_t k = 1; k < box_.n_t / 2; ++k) {
+      if (is_coherent) factorise(static_cast<double>(k) * spacing());
+      for (std::size_t c = begin; c < end; ++c)
+        components_[c - begin].set(k, amplitude(c, k), grid_.draw(random[c - begin]));
+    }
+    for (std::size_t c = begin; c < end; ++c)
+      components_[c - begin].write(
+          turbulence_.intensity * box_.speed * turbulence_.deviation_ratio[c], c, fourier_, box_);
   }
-  // The mean and the frequency of two steps, whose phase is not free, stay 0.
-  for (std::size_t k = 1; k < box.n_t / 2; ++k) {
-    const double frequency = static_cast<double>(k) * spacing;
-    if (!grid.factorise(calc_coherence_rate(turbulence, speed, reference_height, frequency)))
-      throw InputError("is " + describe(turbulence.width) +
+
+ private:
+  double spacing() const { return 1.0 / (static_cast<double>(box_.n_t) * box_.dt); }
+
+  /// Returns the amplitude of a frequency, by the sum over all that the transform is.
+  double amplitude(std::size_t component, std::size_t k) const {
+    const double frequency = static_cast<double>(k) * spacing();
+    const KaimalSpectrum& spectrum = spectra_[component];
+    return std::sqrt(spectrum.integral(frequency + 0.5 * spacing()) -
+                     spectrum.integral(frequency - 0.5 * spacing())) /
+           static_cast<double>(box_.n_t);
+  }
+
+  void factorise(double frequency) {
+    if (!grid_.factorise(
+            calc_coherence_rate(turbulence_, box_.speed, reference_height_, frequency)))
+      throw InputError("is " + describe(turbulence_.width) +
                            ", and the points of the grid lie too close for their coherence; "
                            "expected a wider box or fewer points",
                        {.key = "turbulence.width"});
-    for (std::size_t c = 0; c < 3; ++c) {
-      const bool is_coherent = c == 0 || turbulence.coherence == Coherence::all;
-      const double share = spectra[c].integral(frequency + 0.5 * spacing) -
-                           spectra[c].integral(frequency - 0.5 * spacing);
-      components[c].set(k, std::sqrt(share), (is_coherent ? grid : alone).draw(random[c]));
-    }
   }
-  for (std::size_t c = 0; c < 3; ++c)
-    components[c].write(turbulence.intensity * speed * turbulence.deviation_ratio[c], box);
+
+  const WindTurbulence& turbulence_;
+  double reference_height_;
+  WindBox& box_;
+  std::array<KaimalSpectrum, 3> spectra_;
+  CoherentDraw grid_;
+  InverseFourier fourier_;
+  std::vector<FourierComponent> components_;
+};
+
+}  // namespace
+
+WindBox make_turbulence(const WindTurbulence& turbulence, double speed, double reference_height) {
+  WindBox box = make_box(turbulence, speed, reference_height);
+  Drawing drawing(turbulence, reference_height, box);
+  if (turbulence.coherence == Coherence::all) {
+    drawing.draw(0, 3, true);
+    return box;
+  }
+  // One after the other they need a third of the memory. A grid without factors is independent.
+  drawing.draw(1, 2, false);
+  drawing.draw(2, 3, false);
+  drawing.draw(0, 1, true);
   return box;
 }
 

@@ -2,8 +2,10 @@
 
 #include "models/air/turbulence_coherence.h"
 
-#include <Eigen/Cholesky>
 #include <cmath>
+
+#include "models/support/simd.h"
+#include "models/support/wide_kernels.h"
 
 namespace spoke::air {
 namespace {
@@ -13,94 +15,104 @@ constexpr double kIndependent = 1e-8;
 
 }  // namespace
 
-double CoherentDraw::weight(std::size_t place, std::size_t count) {
-  return 2 * place + 1 == count ? 0.5 : std::sqrt(0.5);
+// An odd pattern is 0 in the middle of a row.
+CoherentDraw::Axis::Axis(std::size_t number, bool is_odd)
+    : points(number), count(is_odd ? number / 2 : (number + 1) / 2), sign(is_odd ? -1.0 : 1.0) {}
+
+double CoherentDraw::Axis::weight(std::size_t place) const {
+  return 2 * place + 1 == points ? 0.5 : std::sqrt(0.5);
 }
 
 CoherentDraw::CoherentDraw(std::size_t n_y, std::size_t n_z, double dy, double dz)
-    : n_y_(n_y), n_z_(n_z), dy_(dy), dz_(dz), table_(n_y * n_z), drawn_(n_y * n_z) {
+    : n_y_(n_y), n_z_(n_z), table_(n_y * n_z), drawn_(n_y * n_z) {
+  for (std::size_t k = 0; k < n_z; ++k)
+    for (std::size_t j = 0; j < n_y; ++j)
+      distances_.push_back(std::hypot(static_cast<double>(j) * dy, static_cast<double>(k) * dz));
   for (const bool is_odd_z : {false, true})
     for (const bool is_odd_y : {false, true}) {
-      // An odd pattern is 0 in the middle of a row.
-      const std::size_t count_y = is_odd_y ? n_y / 2 : (n_y + 1) / 2;
-      const std::size_t count_z = is_odd_z ? n_z / 2 : (n_z + 1) / 2;
-      const auto size = static_cast<Eigen::Index>(count_y * count_z);
-      blocks_.push_back({is_odd_y, is_odd_z, count_y, count_z, Eigen::MatrixXd(size, size),
-                         Eigen::MatrixX2d(size, 2), Eigen::MatrixX2d(size, 2)});
+      const Axis y(n_y, is_odd_y), z(n_z, is_odd_z);
+      const std::size_t size = y.count * z.count;
+      const std::vector<std::complex<double>> patterns(size);
+      blocks_.push_back({y, z, LowerFactor(size), patterns, patterns});
+      rows_[is_odd_y].resize(n_z * y.count * round_up_to_four(y.count));
     }
 }
 
-double CoherentDraw::coherence(std::size_t y, std::size_t other_y, std::size_t z,
-                               std::size_t other_z) const {
-  const std::size_t k = z > other_z ? z - other_z : other_z - z;
-  const std::size_t j = y > other_y ? y - other_y : other_y - y;
-  return table_[k * n_y_ + j];
+/// Sets the coherence of patterns along y, each of which is its points' numbers times weight and
+/// sign, for each distance of their rows: twice the sum for one of the first's points, by symmetry.
+void CoherentDraw::fill_rows(const Axis& axis) {
+  const std::size_t stride = round_up_to_four(axis.count);
+  for (std::size_t k = 0; k < n_z_; ++k) {
+    const double* along = &table_[k * n_y_];
+    for (std::size_t other = 0; other < axis.count; ++other) {
+      double* row = &rows_[axis.is_odd()][(k * axis.count + other) * stride];
+      const double weight = 2.0 * axis.weight(other);
+      for (std::size_t y = 0; y < axis.count; ++y) {
+        const double near = along[y > other ? y - other : other - y];
+        const double mirrored = along[n_y_ - 1 - other - y];
+        row[y] = weight * axis.weight(y) * (near + axis.sign * mirrored);
+      }
+    }
+  }
 }
 
-/// Returns the coherence of two patterns, each of which is its points' numbers times weight and
-/// sign: twice the sum for one of the first's points along each axis, by symmetry.
-double CoherentDraw::entry(const Block& block, std::size_t row, std::size_t column) const {
-  const std::size_t y = row % block.count_y, z = row / block.count_y;
-  const std::size_t other_y = column % block.count_y, other_z = column / block.count_y;
-  const std::size_t mirror_y = n_y_ - 1 - other_y, mirror_z = n_z_ - 1 - other_z;
-  const double sign_y = block.is_odd_y ? -1.0 : 1.0;
-  const double sign_z = block.is_odd_z ? -1.0 : 1.0;
-  const double sum =
-      coherence(y, other_y, z, other_z) + sign_y * coherence(y, mirror_y, z, other_z) +
-      sign_z * (coherence(y, other_y, z, mirror_z) + sign_y * coherence(y, mirror_y, z, mirror_z));
-  return 4.0 * weight(y, n_y_) * weight(other_y, n_y_) * weight(z, n_z_) * weight(other_z, n_z_) *
-         sum;
+/// Sets the lower triangle of a block: patterns along z of those along y, likewise. Four rows at a
+/// time, beyond a pattern's last into those of the next, which then are set.
+void CoherentDraw::fill(Block& block) const noexcept {
+  const std::size_t count = block.y.count, stride = round_up_to_four(count);
+  const std::vector<double>& rows = rows_[block.y.is_odd()];
+  for (std::size_t other = 0; other < block.z.count; ++other)
+    for (std::size_t z = other; z < block.z.count; ++z) {
+      const double weight = 2.0 * block.z.weight(z) * block.z.weight(other);
+      const double* near = &rows[(z - other) * count * stride];
+      const double* mirrored = &rows[(n_z_ - 1 - other - z) * count * stride];
+      for (std::size_t column = 0; column < count; ++column) {
+        double* out = block.factor.column(other * count + column) + z * count;
+        for (std::size_t y = 0; y < stride; y += 4)
+          store(weight * (load4(near + column * stride + y) +
+                          block.z.sign * load4(mirrored + column * stride + y)),
+                out + y);
+      }
+    }
 }
 
 bool CoherentDraw::factorise(double rate) {
-  for (std::size_t k = 0; k < n_z_; ++k)
-    for (std::size_t j = 0; j < n_y_; ++j)
-      table_[k * n_y_ + j] =
-          std::exp(-rate * std::hypot(static_cast<double>(j) * dy_, static_cast<double>(k) * dz_));
+  for (std::size_t i = 0; i < table_.size(); ++i) table_[i] = std::exp(-rate * distances_[i]);
   is_independent_ = table_[1] < kIndependent && table_[n_y_] < kIndependent;
   if (is_independent_) return true;
+  for (const Block& block : blocks_)
+    if (!block.z.is_odd()) fill_rows(block.y);
   for (Block& block : blocks_) {
-    const std::size_t size = block.count_y * block.count_z;
-    for (std::size_t column = 0; column < size; ++column)
-      for (std::size_t row = column; row < size; ++row)
-        block.factor(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
-            entry(block, row, column);
-    const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> in_place(block.factor);
-    if (in_place.info() != Eigen::Success) return false;
+    run_kernel([&]() noexcept { fill(block); });
+    if (!block.factor.factorise()) return false;
   }
   return true;
 }
 
 /// Adds a block's patterns to the points.
 void CoherentDraw::add(const Block& block) {
-  const double sign_y = block.is_odd_y ? -1.0 : 1.0;
-  const double sign_z = block.is_odd_z ? -1.0 : 1.0;
-  for (std::size_t z = 0; z < block.count_z; ++z)
-    for (std::size_t y = 0; y < block.count_y; ++y) {
-      const auto pattern = static_cast<Eigen::Index>(z * block.count_y + y);
-      const std::complex<double> value =
-          std::complex(block.coherent(pattern, 0), block.coherent(pattern, 1)) * weight(y, n_y_) *
-          weight(z, n_z_);
+  const Axis &along_y = block.y, &along_z = block.z;
+  const std::complex<double>* pattern = block.coherent.data();
+  for (std::size_t z = 0; z < along_z.count; ++z)
+    for (std::size_t y = 0; y < along_y.count; ++y, ++pattern) {
+      const std::complex<double> value = *pattern * along_y.weight(y) * along_z.weight(z);
       const std::size_t mirror_y = n_y_ - 1 - y, mirror_z = n_z_ - 1 - z;
       drawn_[z * n_y_ + y] += value;
-      drawn_[z * n_y_ + mirror_y] += sign_y * value;
-      drawn_[mirror_z * n_y_ + y] += sign_z * value;
-      drawn_[mirror_z * n_y_ + mirror_y] += sign_y * sign_z * value;
+      drawn_[z * n_y_ + mirror_y] += along_y.sign * value;
+      drawn_[mirror_z * n_y_ + y] += along_z.sign * value;
+      drawn_[mirror_z * n_y_ + mirror_y] += along_y.sign * along_z.sign * value;
     }
 }
 
 const std::vector<std::complex<double>>& CoherentDraw::draw(RandomStream& random) {
   if (is_independent_) {
-    for (std::complex<double>& point : drawn_) point = random.phasor();
+    random.draw_phasors(drawn_);
     return drawn_;
   }
   drawn_.assign(drawn_.size(), 0.0);
   for (Block& block : blocks_) {
-    for (Eigen::Index pattern = 0; pattern < block.independent.rows(); ++pattern) {
-      const std::complex<double> phasor = random.phasor();
-      block.independent.row(pattern) << phasor.real(), phasor.imag();
-    }
-    block.coherent.noalias() = block.factor.triangularView<Eigen::Lower>() * block.independent;
+    random.draw_phasors(block.independent);
+    block.factor.multiply(block.independent, block.coherent);
     add(block);
   }
   return drawn_;

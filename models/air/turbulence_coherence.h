@@ -2,11 +2,12 @@
 
 // Random numbers on a grid that are coherent as e^(-c r) with their distance r.
 
-#include <Eigen/Core>
+#include <array>
 #include <complex>
 #include <cstddef>
 #include <vector>
 
+#include "models/air/lower_factor.h"
 #include "models/air/turbulence_random.h"
 
 namespace spoke::air {
@@ -27,24 +28,33 @@ class CoherentDraw {
   const std::vector<std::complex<double>>& draw(RandomStream& random);
 
  private:
-  /// The patterns of one symmetry: even or odd along each axis.
+  /// Patterns along one axis that are even or odd.
+  struct Axis {
+    std::size_t points, count;  ///< of the axis; patterns
+    double sign;                ///< 1 or -1
+
+    Axis(std::size_t number, bool is_odd);
+    /// Returns the weight of a pattern at its two points, which are one in the middle of a row.
+    double weight(std::size_t place) const;
+    bool is_odd() const { return sign < 0.0; }
+  };
+  /// The patterns of one symmetry.
   struct Block {
-    bool is_odd_y, is_odd_z;
-    std::size_t count_y, count_z;            ///< patterns along each axis
-    Eigen::MatrixXd factor;                  ///< lower triangle
-    Eigen::MatrixX2d independent, coherent;  ///< by pattern: real and imaginary part
+    Axis y, z;
+    LowerFactor factor;
+    std::vector<std::complex<double>> independent, coherent;  ///< by pattern
   };
 
-  double coherence(std::size_t y, std::size_t other_y, std::size_t z, std::size_t other_z) const;
-  double entry(const Block& block, std::size_t row, std::size_t column) const;
+  void fill_rows(const Axis& axis);
+  void fill(Block& block) const noexcept;
   void add(const Block& block);
-  /// Returns the weight of a pattern at its two points, which are one in the middle of a row.
-  static double weight(std::size_t place, std::size_t count);
 
   std::size_t n_y_, n_z_;
-  double dy_, dz_;
   bool is_independent_ = true;
-  std::vector<double> table_;  ///< coherence by distance along z and y, in points
+  std::vector<double> distances_;  ///< by number of points along z and y [m]
+  std::vector<double> table_;      ///< coherence at these
+  /// Coherence of even and of odd patterns along y, by the distance of their rows along z.
+  std::array<std::vector<double>, 2> rows_;
   std::vector<Block> blocks_;
   std::vector<std::complex<double>> drawn_;
 };

@@ -4,9 +4,10 @@
 // Vigna 2021), seeded by splitmix64 (Steele et al. 2014), and points of the unit circle.
 
 #include <array>
-#include <cmath>
 #include <complex>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace spoke::air {
 
@@ -37,15 +38,20 @@ class RandomStream {
   }
   /// Returns a number from -1, included, to 1, all steps of 2^-52 being equally probable.
   double symmetric() { return static_cast<double>(bits() >> 11) * 0x1p-52 - 1.0; }
-  /// Returns a point of the unit circle, e^(i phi) with a uniform phase phi: a point of the disc by
-  /// trial, its angle doubled (Marsaglia 1972), so that only basic arithmetic is used.
-  std::complex<double> phasor() {
-    for (;;) {
+  /// Sets points of the unit circle, e^(i phi) with uniform phases phi: points of the disc by
+  /// trial, their angles doubled (Marsaglia 1972), so that only basic arithmetic is used.
+  void draw_phasors(std::span<std::complex<double>> out) {
+    for (std::size_t found = 0; found < out.size();) {  // without a jump that nobody foresees
       const double x = symmetric();
       const double y = symmetric();
+      out[found] = {x, y};
       const double square = x * x + y * y;
-      if (square > 1.0 || square < 0x1p-40) continue;
-      return {(x * x - y * y) / square, 2.0 * x * y / square};
+      found += static_cast<std::size_t>((square <= 1.0) & (square >= 0x1p-40));
+    }
+    for (std::complex<double>& point : out) {
+      const double x = point.real(), y = point.imag();
+      const double square = x * x + y * y;
+      point = {(x * x - y * y) / square, 2.0 * x * y / square};
     }
   }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "models/air/section_polar.h"
 #include "models/spatial_model.h"
 
 namespace spoke {
@@ -23,6 +24,8 @@ struct BladeAirModel {
   double hub_radius = 0.0;    ///< of the undeformed blade's root from the axis [m]
   double tip_radius = 0.0;    ///< of its tip [m]
   std::vector<Place> places;  ///< by station
+  /// Coefficients by station; blades that are alike have the same ones.
+  std::vector<std::shared_ptr<const air::SectionPolar>> polars;
 };
 
 }  // namespace spoke

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "models/air/blade_polars.h"
 #include "models/error.h"
 #include "models/system/shared_bodies.h"
 #include "models/system/spatial_loads.h"
@@ -228,12 +229,13 @@ void add_support(const spatial::Model& model, const std::vector<spatial::Tree>& 
 }
 
 /// Places the aerodynamics of a blade on the bodies of its subsystem; where two bodies meet, a
-/// station is on the inner one.
+/// station is on the inner one. `alike`: the air on a blade of equal aerodynamics, or none.
 std::shared_ptr<const BladeAirModel> make_blade_air(const spatial::Blade& blade,
                                                     const std::shared_ptr<const spatial::Air>& air,
                                                     double hub_radius, int blades,
+                                                    const BladeAirModel* alike,
                                                     const Subsystem<Space>& subsystem) {
-  BladeAirModel made{*blade.aerodynamics, air, blades, hub_radius, hub_radius, {}};
+  BladeAirModel made{*blade.aerodynamics, air, blades, hub_radius, hub_radius, {}, {}};
   made.tip_radius += blade.beam.length * std::cos(blade.precone);
   for (const double station : blade.aerodynamics->station) {
     int body = 0;
@@ -243,7 +245,17 @@ std::shared_ptr<const BladeAirModel> make_blade_air(const spatial::Blade& blade,
       ++body;
     made.places.push_back({body, station});
   }
+  made.polars =
+      alike ? alike->polars : air::make_polars(made.aerodynamics, *air, made.aerodynamics.station);
   return std::make_shared<const BladeAirModel>(std::move(made));
+}
+
+/// Returns the air on a blade that has the same aerodynamics, if it is made already.
+const BladeAirModel* find_alike(const spatial::BladeAerodynamics& aerodynamics,
+                                const std::vector<Subsystem<Space>>& subsystems) {
+  for (const Subsystem<Space>& subsystem : subsystems)
+    if (subsystem.air && subsystem.air->aerodynamics == aerodynamics) return subsystem.air.get();
+  return nullptr;
 }
 
 /// Lets air act on the blades that have aerodynamics.
@@ -255,8 +267,9 @@ void add_air(const spatial::Model& model, System<Space>& system) {
                     [](const spatial::Blade& blade) { return blade.aerodynamics.has_value(); }));
   for (std::size_t i = 0; i < model.blades.size(); ++i)
     if (model.blades[i].aerodynamics)
-      system.subsystems[i].air =
-          make_blade_air(model.blades[i], air, model.hub.radius, blades, system.subsystems[i]);
+      system.subsystems[i].air = make_blade_air(
+          model.blades[i], air, model.hub.radius, blades,
+          find_alike(*model.blades[i].aerodynamics, system.subsystems), system.subsystems[i]);
 }
 
 }  // namespace

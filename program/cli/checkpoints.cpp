@@ -9,9 +9,9 @@
 #include <string>
 #include <utility>
 
-#include "engine/support/instructions.h"
 #include "models/count_text.h"
 #include "models/error.h"
+#include "models/support/instructions.h"
 #include "program/cli/report.h"
 #include "program/cli/standard_streams.h"
 #include "program/run_report/tip_deflections.h"

@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "engine/support/instructions.h"
 #include "models/error.h"
+#include "models/support/instructions.h"
 
 namespace spoke::cli {
 namespace {

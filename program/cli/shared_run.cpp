@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/support/instructions.h"
 #include "models/error.h"
+#include "models/support/instructions.h"
 #include "program/cli/build_simulation.h"
 #include "program/cli/checkpoints.h"
 #include "program/cli/commands.h"

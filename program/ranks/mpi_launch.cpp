@@ -3,7 +3,6 @@
 #include <mpi.h>
 
 #include <cassert>
-#include <cstdlib>
 #include <exception>
 #include <limits>
 
@@ -36,12 +35,6 @@ class MpiExchange final : public Exchange {
 };
 
 }  // namespace
-
-bool is_launched() {
-  for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_SIZE", "PMI_RANK"})
-    if (std::getenv(variable) != nullptr) return true;
-  return false;
-}
 
 // Alone, MPI is not begun at all.
 Launch::Launch() {

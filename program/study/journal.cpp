@@ -15,8 +15,8 @@
 
 #include "engine/support/byte_order.h"
 #include "engine/support/hash.h"
-#include "engine/support/instructions.h"
 #include "models/error.h"
+#include "models/support/instructions.h"
 
 namespace spoke::study {
 namespace {

@@ -10,7 +10,7 @@
 #include <string>
 #include <utility>
 
-#include "engine/support/instructions.h"
+#include "models/support/instructions.h"
 #include "tests/checkpoint_checksum.h"
 #include "tests/engine/rotors.h"
 #include "tests/message_of.h"

@@ -15,7 +15,7 @@
 #include "engine/formulation/loops.h"
 #include "engine/formulation/structured/tree_elimination.h"
 #include "engine/formulation/tree_joints.h"
-#include "engine/support/wide_kernels.h"
+#include "models/support/wide_kernels.h"
 
 namespace spoke::structured {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "engine/space/body_energies.h"
 #include "engine/space/dense_body.h"
-#include "engine/support/instructions.h"
+#include "models/support/instructions.h"
 #include "tests/engine/space/bodies.h"
 
 // Within the namespace: the plane's types have the same names.

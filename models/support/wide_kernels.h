@@ -7,7 +7,7 @@
 // The AVX-512 version uses its 32 registers and its masks, not the widest vectors: these sources
 // are compiled for vectors of 256 bits (engine/CMakeLists.txt).
 
-#include "engine/support/instructions.h"
+#include "models/support/instructions.h"
 
 namespace spoke {
 

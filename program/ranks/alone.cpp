@@ -1,10 +1,9 @@
-// Stands for MPI in builds without it: this process is alone.
+// Stands for MPI where it never begins: in builds without it, and in the program that hands over to
+// another one where it is launched. This process is alone.
 
 #include "program/ranks/launch.h"
 
 namespace spoke::ranks {
-
-bool is_launched() { return false; }
 
 Launch::Launch() = default;
 Launch::~Launch() = default;

@@ -1,6 +1,6 @@
 // Asks the compiler, the environment and the processor.
 
-#include "engine/support/instructions.h"
+#include "models/support/instructions.h"
 
 #include <algorithm>
 #include <cstdlib>
