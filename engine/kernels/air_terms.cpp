@@ -69,11 +69,12 @@ void place_on(const BladeAirModel& model, std::size_t i, SubsystemData<Space>& d
   made.states = ArenaVector<double>(states, 0.0, *data.arena);
   made.reached = ArenaVector<double>(states, 0.0, *data.arena);
   made.motions.resize(stations);
+  made.sections.resize(stations);
   made.winds.resize(stations, Eigen::Vector3d::Zero());
   made.forces.resize(stations);
   for (std::size_t k = 0; k < stations; ++k)
     data.bodies[static_cast<std::size_t>(made.markers[k].body)].applied.push_back(
-        {&made.markers[k].section, &made.wrenches[k]});
+        {&made.markers[k].section, &made.wrenches[k], &made.sections[k]});
 }
 
 }  // namespace
@@ -91,7 +92,7 @@ void evaluate_air(double t, double elapsed, bool iterates, const System<Space>& 
   assert(data.air && system.wind && elapsed >= 0.0);
   AirData<Space>& own = *data.air;
   const Subsystem<Space>& subsystem = system.subsystems[i];
-  calc_load_motions(subsystem, data, own.markers, own.motions);
+  calc_load_motions(subsystem, data, own.markers, own.motions, own.sections);
   for (std::size_t k = 0; k < own.markers.size(); ++k)
     own.winds[k] = find_wind(*system.wind, own.motions[k].position, t);
   std::fill(own.forces.begin(), own.forces.end(), Wrench{});

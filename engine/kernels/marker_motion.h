@@ -51,9 +51,11 @@ MarkerMotion calc_marker_motion(const Subsystem<Space>& subsystem, const Subsyst
 MarkerMotion calc_load_motion(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
                               const PlacedMarker<Space>& marker) noexcept;
 /// Those of several markers; what is inboard of a body is found once for those of it in a row.
+/// sections: motion of each marker's section against the frame of its body, as motion_at() has it.
 void calc_load_motions(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
                        std::span<const PlacedMarker<Space>> markers,
-                       std::span<MarkerMotion> motions) noexcept;
+                       std::span<MarkerMotion> motions,
+                       std::span<space::HandleMotion> sections) noexcept;
 /// Linear and angular acceleration [m/s^2, rad/s^2].
 space::Twist calc_marker_acceleration(const space::Position& gravity,
                                       const Subsystem<Space>& subsystem,

@@ -34,8 +34,8 @@ space::Twist sum_loads(const SubsystemData<Space>& data, const BodyData<Space>& 
       if (load.places[k].place_number == place)
         sum += calc_load_wrench(*load.load, k, t, R_HB, data.hub->R,
                                 motion_at(body, load.places[k]).turn.R);
-  for (const auto& [section, wrench] : body.applied)
-    if (section->place_number == place) sum += make_wrench(wrench->force, wrench->moment);
+  for (const AppliedWrench<Space>& at : body.applied)
+    if (at.section->place_number == place) sum += make_wrench(at.wrench->force, at.wrench->moment);
   return sum;
 }
 

@@ -32,23 +32,22 @@ space::Pose calc_pose_in_parent(const Subsystem<Space>& subsystem, const Subsyst
   return {place, joint.R};
 }
 
-space::Position place_in_hub(const space::Pose& X_HB, const space::HandleMotion& motion) {
-  return X_HB.p + X_HB.R * motion.s;
+/// Returns the pose of body j's frame in the inertial frame.
+space::Pose calc_pose(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data, int j) {
+  const space::Pose hub{data.hub->p, data.hub->R};
+  return after(hub, calc_pose_in_hub(subsystem, data, j));
 }
 
-/// Returns the motion of a marker on a body whose pose is given.
-MarkerMotion calc_motion_on(const space::Pose& X_HB, const SubsystemData<Space>& data,
-                            const PlacedMarker<Space>& marker) {
-  const auto j = static_cast<std::size_t>(marker.body);
-  const HubState<Space>& hub = *data.hub;
-  const space::HandleMotion section = motion_at(data.bodies[j], marker.section);
-  const space::Rotation R = hub.R * X_HB.R;
-  const space::Twist velocity = section.carry(data.twists[j]) + section.twist();
+/// Returns the motion of a marker on a body at `pose`, whose section moves against it by `section`.
+MarkerMotion calc_motion_on(const space::Pose& pose, const SubsystemData<Space>& data,
+                            const PlacedMarker<Space>& marker, const space::HandleMotion& section) {
+  const space::Twist velocity =
+      section.carry(data.twists[static_cast<std::size_t>(marker.body)]) + section.twist();
   MarkerMotion motion;
-  motion.position = hub.p + hub.R * place_in_hub(X_HB, section);
-  motion.rotation = (R * section.turn.R * marker.section.axes).axes;
-  motion.velocity = R * space::Position(linear(velocity));
-  motion.angular_velocity = R * space::Angular(angular(velocity));
+  motion.position = pose.p + pose.R * section.s;
+  motion.rotation = (pose.R * section.turn.R * marker.section.axes).axes;
+  motion.velocity = pose.R * space::Position(linear(velocity));
+  motion.angular_velocity = pose.R * space::Angular(angular(velocity));
   return motion;
 }
 
@@ -109,29 +108,36 @@ space::Pose calc_rest_pose(const Subsystem<Space>& subsystem, int body) noexcept
 
 MarkerMotion calc_marker_motion(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
                                 const PlacedMarker<Space>& marker) noexcept {
-  return calc_motion_on(calc_pose_in_hub(subsystem, data, marker.body), data, marker);
+  const BodyData<Space>& body = data.bodies[static_cast<std::size_t>(marker.body)];
+  return calc_motion_on(calc_pose(subsystem, data, marker.body), data, marker,
+                        motion_at(body, marker.section));
 }
 
 MarkerMotion calc_load_motion(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
                               const PlacedMarker<Space>& marker) noexcept {
   MarkerMotion motion;
-  calc_load_motions(subsystem, data, {&marker, 1}, {&motion, 1});
+  space::HandleMotion section;
+  calc_load_motions(subsystem, data, {&marker, 1}, {&motion, 1}, {&section, 1});
   return motion;
 }
 
 void calc_load_motions(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
                        std::span<const PlacedMarker<Space>> markers,
-                       std::span<MarkerMotion> motions) noexcept {
-  assert(motions.size() == markers.size());
-  space::Pose X_HB;
+                       std::span<MarkerMotion> motions,
+                       std::span<space::HandleMotion> sections) noexcept {
+  assert(motions.size() == markers.size() && sections.size() == markers.size());
+  space::Pose pose;
   space::DrawnInward inboard;
   for (std::size_t k = 0; k < markers.size(); ++k) {
     const PlacedMarker<Space>& marker = markers[k];
+    const BodyData<Space>& body = data.bodies[static_cast<std::size_t>(marker.body)];
     if (k == 0 || marker.body != markers[k - 1].body) {
-      X_HB = calc_pose_in_hub(subsystem, data, marker.body);
+      pose = calc_pose(subsystem, data, marker.body);
       inboard = calc_drawn_inboard(data, marker.body);
     }
-    motions[k] = calc_motion_on(X_HB, data, marker);
+    sections[k] = motion_at(body, marker.section);
+    motions[k] = calc_motion_on(pose, data, marker, sections[k]);
+    if (!body.model->stiffening && inboard.place.isZero(0.0) && inboard.rate.isZero(0.0)) continue;
     space::DrawnInward drawn = calc_drawn_on(data, marker);
     drawn.place += inboard.place;
     drawn.rate += inboard.rate;

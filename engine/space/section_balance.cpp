@@ -118,10 +118,11 @@ space::Twist calc_applied(const BodyData<Space>& body, const space::Rotation& R_
       const space::Rotation section = motion.turn.R * sections[k].axes;
       sum += translate(motion.s, calc_load_wrench(load, k, t, R_HB, R_0, section));
     }
-  for (const auto& [section, wrench] : body.applied) {
-    const double along = section->element + place_in_element(flexible, *section);
+  for (const AppliedWrench<Space>& at : body.applied) {
+    const double along = at.section->element + place_in_element(flexible, *at.section);
     if (along < reading.along - 1e-9) continue;
-    sum += translate(motion_at(body, *section).s, make_wrench(wrench->force, wrench->moment));
+    sum +=
+        translate(motion_at(body, *at.section).s, make_wrench(at.wrench->force, at.wrench->moment));
   }
   return sum;
 }

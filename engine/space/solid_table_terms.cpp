@@ -90,8 +90,8 @@ void add_applied_to_solid(double t, const space::Rotation& R_HB, std::size_t j,
       applied.add_tension(
           solid.handles[h],
           to_undeformed * data.applied_forces[static_cast<std::size_t>(model.children[h - 1])]);
-  for (const auto& [section, wrench] : body.applied)
-    applied.add(*section, make_wrench(wrench->force, wrench->moment));
+  for (const AppliedWrench<Space>& at : body.applied)
+    applied.add(*at.section, make_wrench(at.wrench->force, at.wrench->moment));
   for (const auto& load : body.loads)
     for (std::size_t k = 0; k < load.places.size(); ++k) {
       const space::Rotation turned = motion_at(body, load.places[k]).turn.R;

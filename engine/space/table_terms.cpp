@@ -129,9 +129,12 @@ void add_applied(double t, const space::Rotation& R_HB, std::size_t j, Subsystem
     if (body.forces.carried) add_carried_forces(model, data, to_undeformed, *tension);
   }
   const space::Rotation turn = to_undeformed * R_HB;
-  for (const auto& [section, wrench] : body.applied) {
-    add_wrench(*section, motion_at(body, *section), make_wrench(wrench->force, wrench->moment),
-               twist, body);
+  for (const auto& [section, wrench, motion] : body.applied) {
+    const space::Twist applied = make_wrench(wrench->force, wrench->moment);
+    if (motion)
+      add_wrench(*section, *motion, applied, twist, body);
+    else
+      add_wrench(*section, motion_at(body, *section), applied, twist, body);
     if (tension) tension->add_at(*section, turn * wrench->force);
   }
   add_loads(t, R_HB, data.hub->R, twist, tension ? &*tension : nullptr, turn, body);
@@ -215,7 +218,7 @@ space::Position sum_forces(double t, const Subsystem<Space>& subsystem,
       sum += linear(calc_load_wrench(*load, k, t, R_HB, data.hub->R, section));
     }
   }
-  for (const auto& [section, wrench] : body.applied) sum += wrench->force;
+  for (const AppliedWrench<Space>& at : body.applied) sum += at.wrench->force;
   return R_HB * sum;
 }
 

@@ -9,6 +9,7 @@
 #include "engine/air/blade_air.h"
 #include "engine/body/body_types.h"
 #include "engine/load.h"
+#include "engine/space/handle_motion.h"
 #include "engine/space/section_loads.h"
 #include "engine/support/page_arena.h"
 #include "models/system/system.h"
@@ -57,6 +58,15 @@ struct AppliedWrench {
   const SectionWrench<World>* wrench = nullptr;
 };
 
+/// On a spatial body, with the motion of the section against the frame of its body at the state of
+/// the wrench; null: it is found when the wrench is applied.
+template <>
+struct AppliedWrench<Space> {
+  const space::Section* section = nullptr;
+  const SectionWrench<Space>* wrench = nullptr;
+  const space::HandleMotion* motion = nullptr;
+};
+
 /// A load of the scenario on a body (BodyLoad, BodyDrag), with the section at each of its points.
 template <class World, class Load>
 struct PlacedLoad {
@@ -94,6 +104,7 @@ struct AirData {
   AirSum sum;                   ///< over the stations
   // Arguments and results of the kernel: rewritten at every evaluation, no part of the table.
   std::vector<MarkerMotion> motions;
+  std::vector<space::HandleMotion> sections;  ///< their motion against the frames of their bodies
   std::vector<Eigen::Vector3d> winds;
   std::vector<Wrench> forces;
 };
