@@ -67,10 +67,11 @@ class Search {
   /// Moves q to the equilibrium. Returns false if it is not found; q is then as before.
   bool run(VectorXd& q) {
     const VectorXd start = q, at_start = multipliers;
+    is_near_ = false;
     if (scale_.size() == 0) return evaluate(q, multipliers).has_value();
     for (int i = 0; i < kMostIterations; ++i) {
       ++iterations;
-      if (!advance(q)) break;
+      if (!advance(q) && !std::exchange(is_near_, false)) break;
       if (last_change <= kConverged) return polish(q);
     }
     q = start;
@@ -174,7 +175,7 @@ class Search {
   /// Makes one step with a line search, in which the next correction must shrink.
   bool advance(VectorXd& q) {
     const std::optional<SubsystemResponse> at = evaluate(q, multipliers);
-    if (!at || !factorise(q, *at)) return false;
+    if (!at || (!is_near_ && !factorise(q, *at))) return false;
     const Change change = correct(*at);
     if (!change.q.allFinite() || !change.multipliers.allFinite()) return false;
     change.q.cwiseQuotient(scale_).cwiseAbs().maxCoeff(&worst);
@@ -186,6 +187,7 @@ class Search {
       const double next = size(correct(*left).q);
       if (!(next <= (1.0 - 0.25 * length) * size(change.q)) && next > kConverged) continue;
       last_change = length < 1.0 ? size(change.q) : next;
+      is_near_ = tangent->serves() && length == 1.0 && next <= kNear * size(change.q);
       q = trial;
       multipliers = forces;
       return true;
@@ -214,6 +216,7 @@ class Search {
   SteadyModel& model_;
   const std::vector<Eigen::Index>& rows_;  ///< rigid ones that do not depend on others
   VectorXd scale_;
+  bool is_near_ = false;  ///< whether the factors are of a place from which they lead on quickly
 };
 
 /// Throws if the loops of a subsystem are where they do not determine its motion.
