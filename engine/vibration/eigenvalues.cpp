@@ -1,4 +1,4 @@
-// Solves symmetric and quadratic eigenproblems.
+// Solves quadratic eigenproblems.
 
 #include "engine/vibration/eigenvalues.h"
 
@@ -12,40 +12,20 @@
 #include "engine/support/dense.h"
 #include "engine/vibration/arnoldi_space.h"
 #include "engine/vibration/choose_roots.h"
-#include "engine/vibration/rigid_motions.h"
+#include "engine/vibration/symmetric_roots.h"
 
 namespace spoke::vibration {
 namespace {
 
 using Eigen::Index;
-using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 using Complex = std::complex<double>;
 
-/// Largest sizes of the matrices that Eigen's dense solvers take.
-constexpr Index kSmallSymmetric = 400;
+/// Largest size of the matrices that Eigen's dense solver takes.
 constexpr Index kSmall = 24;
 constexpr double kDigit = std::numeric_limits<double>::epsilon();
-/// The shift, where one is needed, by the frequency of the softest coordinate.
-constexpr double kShift = 0.05;
-
-/// Whether a matrix is symmetric up to round-off of the differences of forces. Each pair is judged
-/// by its own diagonal entries, not by the stiffest ones.
-bool is_symmetric(const MatrixXd& K, double round_off) {
-  const VectorXd size = K.diagonal().cwiseAbs().cwiseSqrt();
-  for (Index i = 0; i < K.rows(); ++i)
-    for (Index k = 0; k < i; ++k)
-      if (std::abs(K(i, k) - K(k, i)) > 1e-9 * size[i] * size[k] + round_off) return false;
-  return true;
-}
-
-/// Returns the rigid motions if a shift was needed, else none.
-MatrixXd rigid_motions(const Pencil& pencil, double shift) {
-  constexpr double kBelow = 0.02;
-  return shift > 0.0 ? find_rigid_motions(pencil, kBelow * shift) : MatrixXd(pencil.size(), 0);
-}
 
 /// Scales the vector to unit mass, its largest component real and positive.
 void normalise(const Pencil& pencil, Root& root) {
@@ -54,50 +34,6 @@ void normalise(const Pencil& pencil, Root& root) {
   root.x.cwiseAbs().maxCoeff(&largest);
   root.x *= std::abs(root.x[largest]) / root.x[largest];
   root.x = pencil.scale().asDiagonal() * root.x;
-}
-
-/// K + shift^2 M factorised, with the smallest of some shifts that makes it positive definite.
-struct ShiftedFactor {
-  double square = 0.0;
-  CholeskyFactor factor;
-};
-ShiftedFactor factorise(const MatrixXd& K, const MatrixXd& M, const Pencil& pencil) {
-  const VectorXd diagonal = K.diagonal();
-  if (pencil.is_held() && diagonal.minCoeff() > 0.0) {
-    const VectorXd balance = diagonal.cwiseSqrt().cwiseInverse();
-    const CholeskyFactor balanced(balance.asDiagonal() * K * balance.asDiagonal());
-    if (balanced.is_positive_definite() && balanced.rcond() > 1e-13)
-      return {0.0, CholeskyFactor(K)};
-  }
-  for (double shift = kShift * pencil.softest();; shift *= 4.0) {
-    ShiftedFactor shifted{shift * shift, CholeskyFactor(K + shift * shift * M)};
-    if (shifted.factor.is_positive_definite() || !std::isfinite(shift)) return shifted;
-  }
-}
-
-/// Returns the roots of the symmetric problem K x = w^2 M x, from the inverse of K, which keeps the
-/// digits of the lowest ones. K is shifted where it is not positive definite.
-std::vector<Root> find_symmetric(const MatrixXd& K, const MatrixXd& M, const Pencil& pencil,
-                                 Index count) {
-  const ShiftedFactor shifted = factorise(K, M, pencil);
-  const MatrixXd half = shifted.factor.solve_lower(M);
-  const MatrixXd flexibility = shifted.factor.solve_lower(half.transpose());
-  const SymmetricEigen eigen = solve_symmetric(0.5 * (flexibility + flexibility.transpose()));
-  const VectorXd& inverse = eigen.values;
-  const auto& factor = shifted.factor;
-  const double square = shifted.square;
-  // Round-off of the inverse of K is judged by its trace, because single coordinates may have
-  // little mass.
-  const double trace = factor.solve_lower(MatrixXd::Identity(K.rows(), K.rows())).squaredNorm();
-  const Spectrum spectrum{(square - inverse.array().inverse()).cast<Complex>().sqrt(),
-                          [&](Index k) -> VectorXcd {
-                            return factor.solve_upper(eigen.vectors.col(k)).cast<Complex>();
-                          },
-                          [=](Complex s) {
-                            const double distance = std::abs(square - s * s);
-                            return 10.0 * kDigit * trace * distance * distance;
-                          }};
-  return choose_roots(pencil, spectrum, rigid_motions(pencil, std::sqrt(square)), count).roots;
 }
 
 /// The inverse of the first-order system less a shift, on blocks of vectors (f x, x'). The
@@ -160,7 +96,8 @@ std::vector<Root> find_small(const Pencil& pencil, const Inverse& inverse, Index
   const Spectrum spectrum = make_spectrum(eigen.values, inverse.shift(), [&](Index k) {
     return VectorXcd(eigen.vectors.col(k).head(n));
   });
-  return choose_roots(pencil, spectrum, rigid_motions(pencil, inverse.shift()), count).roots;
+  return choose_roots(pencil, spectrum, find_rigid_motions_below(inverse.shift(), pencil), count)
+      .roots;
 }
 
 /// Eigenvalues of the projection of the inverse on a space, and their vectors in its basis.
@@ -191,7 +128,7 @@ bool have_converged(const ArnoldiSpace& space, const RitzPairs& pairs,
 std::vector<Root> iterate(const Pencil& pencil, const Inverse& inverse, Index count) {
   const Index n = pencil.size(), size = 2 * n;
   const Index width = std::min(size, std::ssize(pencil.subsystems()) + 1);
-  const MatrixXd rigid = rigid_motions(pencil, inverse.shift());
+  const MatrixXd rigid = find_rigid_motions_below(inverse.shift(), pencil);
   ArnoldiSpace space(size, width);
   Index wanted = 2 * count + 2 * width + 8;
   while (true) {
@@ -228,15 +165,9 @@ std::vector<Root> find_roots(const Pencil& pencil, Index count) {
   const Index n = pencil.size();
   std::vector<Root> roots;
   if (n == 0) return roots;
-  if (n <= kSmallSymmetric) {
-    const MatrixXd M = pencil.dense_mass(), C = pencil.dense_damping();
-    const MatrixXd K = pencil.dense_stiffness();
-    // M has a unit diagonal: C is a rate, to be compared with the frequencies.
-    if (C.lpNorm<Eigen::Infinity>() <= 1e-9 * pencil.softest() &&
-        is_symmetric(K, pencil.largest_round_off()))
-      roots = find_symmetric(0.5 * (K + K.transpose()), 0.5 * (M + M.transpose()), pencil, count);
-  }
-  if (roots.empty()) {
+  if (pencil.is_symmetric()) {
+    roots = find_symmetric_roots(pencil, count);
+  } else {
     const Inverse inverse = make_inverse(pencil);
     roots = n <= kSmall ? find_small(pencil, inverse, count) : iterate(pencil, inverse, count);
   }

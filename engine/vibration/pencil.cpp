@@ -76,6 +76,45 @@ Pencil::Pencil(const LinearModel& model, std::vector<std::size_t> subsystems)
     if (square > 1e-30 * most) softest_ = std::min(softest_, std::sqrt(square));
 }
 
+bool Pencil::is_symmetric() const {
+  VectorXd held(size());
+  const auto hold = [&](const MatrixXd& K, Index at) {
+    held.segment(at, K.rows()) =
+        K.diagonal().cwiseAbs().cwiseSqrt().cwiseProduct(scale_.segment(at, K.rows()));
+  };
+  hold(model_.K, 0);
+  // Each pair is judged by its own diagonal entries, not by the stiffest ones.
+  const auto agree = [&](const MatrixXd& K, const MatrixXd& other, Index row, Index column) {
+    for (Index i = 0; i < K.rows(); ++i)
+      for (Index k = 0; k < K.cols(); ++k) {
+        const double size = scale_[row + i] * scale_[column + k];
+        if (std::abs(K(i, k) - other(k, i)) * size >
+            1e-9 * held[row + i] * held[column + k] + largest_round_off_)
+          return false;
+      }
+    return true;
+  };
+  // M has a unit diagonal: C is a rate, to be compared with the frequencies.
+  const auto is_slow = [&](const MatrixXd& C, Index row, Index column) {
+    for (Index i = 0; i < C.rows(); ++i)
+      for (Index k = 0; k < C.cols(); ++k)
+        if (std::abs(C(i, k)) * scale_[row + i] * scale_[column + k] > 1e-9 * softest_)
+          return false;
+    return true;
+  };
+  bool is = is_slow(model_.C, 0, 0) && agree(model_.K, model_.K, 0, 0);
+  for (std::size_t place = 0; place < subsystems_.size() && is; ++place) {
+    const LinearSubsystem& t = model_.subsystem(subsystems_[place]);
+    const Index at = starts_[place];
+    hold(t.K, at);
+    is = is_slow(t.C, at, at) && agree(t.K, t.K, at, at);
+    if (!is || !has_hub()) continue;
+    const HubCoupling& c = model_.couplings[subsystems_[place]];
+    is = is_slow(c.C_bh, at, 0) && is_slow(c.C_hb, 0, at) && agree(c.K_bh, c.K_hb, at, 0);
+  }
+  return is;
+}
+
 /// Returns |x|^T |A| |x| for the matrix A of these parts.
 double Pencil::sum_terms(MatrixXd LinearSubsystem::*subsystem, MatrixXd HubCoupling::*subsystem_hub,
                          MatrixXd HubCoupling::*hub_subsystem, MatrixXd LinearModel::*hub,

@@ -33,8 +33,9 @@ class Pencil {
   double stiffest() const { return stiffest_; }
   /// Whether every single coordinate is held, by more than round-off.
   bool is_held() const { return is_held_; }
-  /// Returns the largest round-off of an entry of K that is a difference of forces [1/s^2].
-  double largest_round_off() const { return largest_round_off_; }
+  /// Whether there are no forces of damping or gyroscopic ones, and the stiffness is symmetric, up
+  /// to round-off of the differences of forces.
+  bool is_symmetric() const;
 
   /// Returns a bound of the error of x^H (s^2 M + s C + K) x by round-off of M, C and K [1/s^2]:
   /// that of the terms which make up the forces of this shape, and no others. x is in scaled
@@ -68,7 +69,7 @@ class Pencil {
   double softest_ = 1.0;
   double stiffest_ = 1.0;
   bool is_held_ = true;
-  double largest_round_off_ = 0.0;
+  double largest_round_off_ = 0.0;  ///< of an entry of K that is a difference of forces [1/s^2]
 };
 
 /// A factorised matrix, scaled to a diagonal of ones beforehand, so that coordinates of unlike
