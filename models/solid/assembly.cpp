@@ -148,4 +148,12 @@ Eigen::MatrixXd calc_geometric_stiffness(const spatial::SolidMesh& mesh,
   return values;
 }
 
+Sparse project(const Sparse& A, const Sparse& X) {
+  const Sparse right = A * X;
+  const Sparse product = Sparse(X.transpose()) * right;
+  Sparse result = product.selfadjointView<Eigen::Lower>();
+  result.makeCompressed();
+  return result;
+}
+
 }  // namespace spoke::solid

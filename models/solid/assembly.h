@@ -33,4 +33,7 @@ Eigen::MatrixXd calc_geometric_stiffness(const spatial::SolidMesh& mesh,
 Eigen::SparseMatrix<double, Eigen::RowMajor> make_stress_operator(
     const spatial::SolidMesh& mesh, const spatial::SolidMaterial& material);
 
+/// Returns X^T A X of a symmetric A, symmetric in its bits.
+Sparse project(const Sparse& A, const Sparse& X);
+
 }  // namespace spoke::solid

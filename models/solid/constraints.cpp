@@ -109,6 +109,7 @@ class CoordinateBuilder {
         add_rigid(interfaces_[k], result.boundary);
     result.Xi.resize(static_cast<Eigen::Index>(3 * n), count_);
     result.Xi.setFromTriplets(entries_.begin(), entries_.end());
+    for (const int d : dependent_) result.dependent.push_back(displacement(d));
     if (frame_ == spatial::SolidFrame::mean_axis) result.rigid = make_rigid(result.boundary);
     return result;
   }
@@ -126,14 +127,16 @@ class CoordinateBuilder {
     for (const int node : chosen.nodes)
       length = std::max(length, (nodes_[index(node)] - chosen.point).norm());
     find_dependent(E, length, dependent_, follows_);
-    for (const int d : dependent_)
-      is_dependent_[index(3 * chosen.nodes[index(d / 3)] + d % 3)] = true;
+    for (const int d : dependent_) is_dependent_[index(displacement(d))] = true;
   }
+
+  /// Returns the displacement of a node that is entry `d` of those of the first interface.
+  int displacement(int d) const { return 3 * interfaces_[0].chosen.nodes[index(d / 3)] + d % 3; }
 
   void add_dependent() {
     for (std::size_t row = 0; row < dependent_.size(); ++row) {
       const std::vector<int>& chosen = interfaces_[0].chosen.nodes;
-      const int held = 3 * chosen[index(dependent_[row] / 3)] + dependent_[row] % 3;
+      const int held = displacement(dependent_[row]);
       for (Eigen::Index c = 0; c < follows_.cols(); ++c) {
         const int column = columns_[index(3 * chosen[index(c / 3)] + c % 3)];
         const double value = follows_(static_cast<Eigen::Index>(row), c);

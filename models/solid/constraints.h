@@ -27,8 +27,10 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> make_average(const ChosenNodes& chosen,
 /// Coordinates q with u = Xi q: three of each free node in the order of the nodes, then six of each
 /// rigid interface that the frame does not fix, (displacement of its point, rotation).
 struct Constraints {
-  Sparse Xi;                              ///< 3 n x nf
-  int boundary = 0;                       ///< coordinates of rigid interfaces, the last of q
+  Sparse Xi;         ///< 3 n x nf
+  int boundary = 0;  ///< coordinates of rigid interfaces, the last of q
+  /// Displacements that follow from others since the mean of an interface is 0: six, or none.
+  std::vector<int> dependent;
   std::vector<space::SolidPlace> places;  ///< interfaces, then sets, in nodal coordinates
   /// The rigid motions in q: translations, and rotations about B's origin. Of the frame `mean_axis`
   /// only, else empty.

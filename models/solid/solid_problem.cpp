@@ -20,15 +20,6 @@ using space::SolidConstants;
   throw InputError(what, {{}, 0, 0, key});
 }
 
-/// Returns X^T A X, symmetric in its bits.
-Sparse project(const Sparse& A, const Sparse& X) {
-  const Sparse right = A * X;
-  const Sparse product = Sparse(X.transpose()) * right;
-  Sparse result = product.selfadjointView<Eigen::Lower>();
-  result.makeCompressed();
-  return result;
-}
-
 /// Returns m (x) 1_3.
 Sparse expand(const Sparse& m) {
   Sparse M(3 * m.rows(), 3 * m.cols());
@@ -123,8 +114,11 @@ class ConstantsBuilder {
     };
     if (is_free())
       free_.emplace(K_, M_, constraints_.rigid, checker);
-    else
+    else if (constraints_.dependent.empty())
       clamped_.emplace(K_, constraints_.boundary, checker);
+    else
+      clamped_.emplace(K_, take_apart(problem_.matrices.K, constraints_.Xi, constraints_.dependent),
+                       constraints_.boundary, checker);
     if (!(is_free() ? free_->is_definite() : clamped_->is_definite()))
       refuse_problem("mesh",
                      "its stiffness is singular, expected elements that all hang together" +

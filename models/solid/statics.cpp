@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <algorithm>
+#include <cmath>
 
 namespace spoke::solid {
 namespace {
@@ -55,8 +56,63 @@ Sparse select(const Sparse& K, const std::vector<int>& kept) {
 
 }  // namespace
 
+MeanStiffness take_apart(const Sparse& K, const Sparse& Xi, const std::vector<int>& dependent) {
+  MeanStiffness parts;
+  const auto d = static_cast<Eigen::Index>(dependent.size());
+  std::vector<bool> follows(static_cast<std::size_t>(K.rows()), false);
+  Sparse chosen(K.rows(), d);
+  for (Eigen::Index k = 0; k < d; ++k) {
+    const int i = dependent[static_cast<std::size_t>(k)];
+    follows[static_cast<std::size_t>(i)] = true;
+    chosen.insert(i, k) = 1.0;
+  }
+  Sparse held = Xi;
+  held.prune([&follows](Eigen::Index i, Eigen::Index, double) {
+    return !follows[static_cast<std::size_t>(i)];
+  });
+  const Sparse columns = K * chosen;
+  parts.held = project(K, held);
+  parts.follows = Sparse(Sparse(Xi.transpose()) * chosen);
+  parts.coupling = Sparse(Sparse(held.transpose()) * columns);
+  parts.own = Sparse(Sparse(chosen.transpose()) * columns);
+  return parts;
+}
+
+CorrectedFactor::CorrectedFactor(const MeanStiffness& K, Eigen::Index inner,
+                                 const Cholesky::Checker& checker)
+    : factor_(Sparse(K.held.topLeftCorner(inner, inner)), checker) {
+  if (!is_definite()) return;
+  const Eigen::Index d = K.own.rows();
+  Eigen::MatrixXd U(inner, 2 * d), complement = Eigen::MatrixXd::Zero(2 * d, 2 * d);
+  // Scaled to entries of one size: displacements by forces.
+  const double scale = std::sqrt(K.own.diagonal().maxCoeff());
+  U << scale * K.follows.topRows(inner), K.coupling.topRows(inner) / scale;
+  by_U_ = factor_.solve(U);
+  complement.topRightCorner(d, d).setIdentity();
+  complement.bottomLeftCorner(d, d).setIdentity();
+  complement.bottomRightCorner(d, d) = -K.own / (scale * scale);
+  complement_.compute(complement + U.transpose() * by_U_);
+}
+
+Eigen::MatrixXd CorrectedFactor::solve(const Eigen::MatrixXd& f) const {
+  Eigen::MatrixXd q = factor_.solve(f);
+  // U^T A^-1 f is (A^-1 U)^T f.
+  if (by_U_.cols() > 0) q.noalias() -= by_U_ * complement_.solve(by_U_.transpose() * f);
+  return q;
+}
+
 ClampedStatics::ClampedStatics(const Sparse& K, int boundary, const Cholesky::Checker& checker)
     : inner_(Sparse(K.topLeftCorner(K.rows() - boundary, K.rows() - boundary)), checker) {
+  find_modes(K, boundary);
+}
+
+ClampedStatics::ClampedStatics(const Sparse& K, const MeanStiffness& parts, int boundary,
+                               const Cholesky::Checker& checker)
+    : inner_(parts, K.rows() - boundary, checker) {
+  find_modes(K, boundary);
+}
+
+void ClampedStatics::find_modes(const Sparse& K, int boundary) {
   is_definite_ = inner_.is_definite();
   if (!is_definite_) return;
   const Eigen::Index inner = inner_.size();

@@ -4,17 +4,52 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <Eigen/LU>
 #include <vector>
 
 #include "models/solid/cholesky.h"
 
 namespace spoke::solid {
 
+/// A stiffness six of whose displacements d follow from many others by a mean, u_d = F q: K = K_00
+/// + F^T K_d0 + K_0d F + F^T K_dd F. K itself couples all that these follow from with one another.
+struct MeanStiffness {
+  Sparse held;               ///< K_00, while the six stand still
+  Eigen::MatrixXd follows;   ///< F^T
+  Eigen::MatrixXd coupling;  ///< K_0d
+  Eigen::MatrixXd own;       ///< K_dd
+};
+
+/// Returns the parts of Xi^T K Xi where displacements follow from others by rows of Xi.
+MeanStiffness take_apart(const Sparse& K, const Sparse& Xi, const std::vector<int>& dependent);
+
+/// A factorised stiffness, of low rank beside one that is sparse: K = A + U S U^T with U = [F^T,
+/// K_0d] and S = [K_dd, 1; 1, 0], solved by the inverse of A (Woodbury).
+class CorrectedFactor {
+ public:
+  CorrectedFactor(const Sparse& K, const Cholesky::Checker& checker) : factor_(K, checker) {}
+  /// Takes the first `inner` coordinates.
+  CorrectedFactor(const MeanStiffness& K, Eigen::Index inner, const Cholesky::Checker& checker);
+
+  bool is_definite() const { return factor_.is_definite(); }
+  Eigen::Index size() const { return factor_.size(); }
+  /// K^-1 f.
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& f) const;
+
+ private:
+  Cholesky factor_;
+  Eigen::MatrixXd by_U_;                             ///< A^-1 U
+  Eigen::PartialPivLU<Eigen::MatrixXd> complement_;  ///< S^-1 + U^T A^-1 U
+};
+
 /// Of a body that is held: inner coordinates first, then those of rigid interfaces. Only the inner
 /// ones are factorised; the others follow from Schur's complement.
 class ClampedStatics {
  public:
   ClampedStatics(const Sparse& K, int boundary, const Cholesky::Checker& checker);
+  /// `parts`: those of which K consists.
+  ClampedStatics(const Sparse& K, const MeanStiffness& parts, int boundary,
+                 const Cholesky::Checker& checker);
 
   /// Whether K is positive definite.
   bool is_definite() const { return is_definite_; }
@@ -26,7 +61,9 @@ class ClampedStatics {
   const Eigen::MatrixXd& constraint_modes() const { return modes_; }
 
  private:
-  Cholesky inner_;
+  void find_modes(const Sparse& K, int boundary);
+
+  CorrectedFactor inner_;
   Eigen::MatrixXd modes_;
   Eigen::LLT<Eigen::MatrixXd> complement_;
   bool is_definite_ = false;

@@ -9,6 +9,7 @@
 
 #include "models/solid/constraints.h"
 #include "models/solid/memory.h"
+#include "models/solid/statics.h"
 #include "spoke/error.h"
 #include "tests/models/solid/solids.h"
 
@@ -42,6 +43,32 @@ solid::SolidProblem make_held_bracket(InterfaceKind root) {
 /// The rows of an axis of shapes.
 Eigen::MatrixXd axis_of(const Eigen::MatrixXd& shapes, int axis) {
   return shapes(Eigen::seqN(axis, shapes.rows() / 3, 3), Eigen::all);
+}
+
+TEST_CASE("solid reduction: a mean that holds is solved as what it couples in full") {
+  for (const bool has_boundary : {false, true}) {
+    solid::SolidProblem problem = make_held_bracket(InterfaceKind::average);
+    if (!has_boundary) problem.interfaces.resize(1);
+    const solid::Constraints constraints = solid::make_constraints(
+        problem.nodes, problem.interfaces, problem.sets, spatial::SolidFrame::clamped);
+    REQUIRE(constraints.dependent.size() == 6);
+    const solid::Sparse& K = problem.matrices.K;
+    const solid::Sparse whole = solid::project(K, constraints.Xi);
+    const solid::MeanStiffness parts = solid::take_apart(K, constraints.Xi, constraints.dependent);
+    const Eigen::MatrixXd coupled = parts.follows * parts.coupling.transpose();
+    const Eigen::MatrixXd sum = Eigen::MatrixXd(parts.held) + coupled + coupled.transpose() +
+                                parts.follows * parts.own * parts.follows.transpose();
+    const double largest = whole.coeffs().cwiseAbs().maxCoeff();
+    CHECK((sum - Eigen::MatrixXd(whole)).cwiseAbs().maxCoeff() < 1e-14 * largest);
+    CHECK(parts.held.nonZeros() < whole.nonZeros());
+    const solid::ClampedStatics expected(whole, constraints.boundary, {});
+    const solid::ClampedStatics found(whole, parts, constraints.boundary, {});
+    REQUIRE(found.is_definite());
+    const Eigen::MatrixXd f = Eigen::MatrixXd::Random(whole.rows(), 3);
+    const Eigen::MatrixXd q = expected.solve(f), modes = expected.constraint_modes();
+    CHECK((found.solve(f) - q).norm() < 1e-11 * q.norm());
+    CHECK((found.constraint_modes() - modes).norm() <= 1e-11 * modes.norm());
+  }
 }
 
 TEST_CASE("solid reduction: modes are orthonormal, and invariants those of the mesh") {
