@@ -36,6 +36,8 @@ constexpr std::array kQuestions{
              measure_loops},
     Question{"growth", "how costs grow with size: of loops, their start, and chains",
              measure_growth},
+    Question{"peers", "how long problems take that other programs were timed on, by error",
+             measure_peers},
     Question{"solids", "what solids cost, and what threads gain on one of them", measure_solids},
     Question{"strains", "what strains of second order cost beside linear ones", measure_strains},
     Question{"supports", "what a support costs beside its rotor, and what threads gain there",

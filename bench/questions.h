@@ -28,6 +28,9 @@ void measure_loops(const QuestionOptions& options, Report& report);
 /// How do costs grow with size, of loops, their start and chains?
 void measure_growth(const QuestionOptions& options, Report& report);
 
+/// How long do problems take that other programs have been timed on, by error?
+void measure_peers(const QuestionOptions& options, Report& report);
+
 /// What do solids cost, reduced and in nodal coordinates, and what do two threads gain on one body?
 void measure_solids(const QuestionOptions& options, Report& report);
 
