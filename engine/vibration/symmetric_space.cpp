@@ -59,7 +59,10 @@ void SymmetricSpace::grow() {
     add(k < last ? VectorXd(image_.col(before - last + k))
                  : VectorXd::NullaryExpr(basis_.rows(), [&] { return normal(dice_); }));
   image_.conservativeResize(Eigen::NoChange, before + block);
-  image_.rightCols(block) = factor_.solve(momentum_.rightCols(block));
+  MatrixXd image = factor_.solve(momentum_.rightCols(block));
+  // Known motions are known to some digits: what they lack would be in the images.
+  image -= basis_.leftCols(known_) * (momentum_.leftCols(known_).transpose() * image).eval();
+  image_.rightCols(block) = image;
 }
 
 SymmetricSpace::Pairs SymmetricSpace::find_pairs() const {
