@@ -25,7 +25,7 @@ void measure_time_to_solution(const QuestionOptions& options, Report& report);
 /// What do closed loops cost, and how does it grow with their number?
 void measure_loops(const QuestionOptions& options, Report& report);
 
-/// How do costs grow with size, of loops, their start and chains?
+/// How do costs grow with size, of loops, chains, rotors and nodal solids, their starts and memory?
 void measure_growth(const QuestionOptions& options, Report& report);
 
 /// How long do problems take that other programs have been timed on, by error?

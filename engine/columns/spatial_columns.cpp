@@ -95,15 +95,16 @@ void place_on_solid(const Sensor& sensor, const spatial::SolidPart& part, const 
 
 /// Sets the section of a reading at a station of the beam of a flexible body; without a station,
 /// the last one.
-void place_section(const std::optional<double>& position, const space::Body& body,
+void place_section(const std::optional<double>& position, const TreeBody<Space>& model,
                    Reading<Space>& reading) {
+  const space::Body& body = *model.body;
   const space::FlexibleBody* flexible = body.flexible();
   if (!flexible) {
     reading.section = space::make_rigid_section(space::Position::Zero());
     return;
   }
-  const double station = std::clamp(position.value_or(flexible->stations.back()),
-                                    flexible->stations.front(), flexible->stations.back());
+  const double from = flexible->stations.front(), to = flexible->stations.back();
+  const double station = position ? std::clamp(*position - model.begin, from, to) : to;
   reading.section = make_section(*body.beam, *flexible, station);
   reading.along = reading.section.element + place_in_element(*flexible, reading.section);
 }
@@ -157,7 +158,7 @@ Reading<Space> make_reading(const Sensor& sensor, const SensorPlace& place, cons
                    std::get<spatial::SolidPart>(tree.bodies[static_cast<std::size_t>(body)].shape),
                    *solid, before, reading);
   else if (has_place)
-    place_section(sensor.position, *model.body, reading);
+    place_section(sensor.position, model, reading);
   if (!has_place) return reading;
   const space::Pose rest = calc_rest_pose(subsystem, body);
   reading.rest = {rest.p + rest.R * reading.section.s0, rest.R * reading.section.axes};

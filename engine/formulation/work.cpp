@@ -211,9 +211,9 @@ double estimate_table(const TreeBody<Space>& member) {
   const auto history = static_cast<int>(CoordinateBlock{}.history.size());
   const auto vectors =
       static_cast<std::size_t>(space::make_layout(*member.body).stride() * (4 + history));
-  const std::size_t numbers =
-      vectors + space::count_fields(*member.body, member.joint.joint, history);
-  // The state from which a failure can be repeated is a copy of these numbers.
+  // The state from which a failure can be repeated is a copy of the state.
+  const std::size_t numbers = 2 * (vectors + space::count_state(member.joint.joint, history)) +
+                              space::count_fields(*member.body);
   // A body under tension has the factors of its own implicit block (see estimate_constants).
   const space::FlexibleBody* flexible = member.body->flexible();
   const bool has_own_block = flexible && (member.stiffening || flexible->is_nonlinear());
@@ -223,7 +223,7 @@ double estimate_table(const TreeBody<Space>& member) {
   const double nodal =
       solid && solid->constants->nodal() ? 16.0 * sizeof(double) * solid->coordinates() : 0.0;
   return tension + nodal +
-         static_cast<double>(2 * sizeof(double) * numbers + sizeof(BodyData<Space>) +
+         static_cast<double>(sizeof(double) * numbers + sizeof(BodyData<Space>) +
                              sizeof(structured::BodyWork<Space>) + sizeof(space::JointMotion) +
                              sizeof(space::Pose) + 3 * sizeof(space::Twist));
 }

@@ -68,18 +68,19 @@ DrawnInward calc_drawn_inward(const FlexibleBody& body, const Section& section, 
 
 AppliedTension::AppliedTension(const BodyModel& model, const BodyState& state,
                                const BodyWork& work) noexcept
-    : body_(*model.body), work_(work) {
+    : body_(*model.body), work_(work), scratch_(body_, work) {
   assert(model.tension);
-  expand(body_, state.q, work.nodal[0]);
-  expand(body_, state.v, work.nodal[1]);
+  expand(body_, state.q, scratch_->nodal[0]);
+  expand(body_, state.v, scratch_->nodal[1]);
   const int values = kTwist * body_.node_count();
-  std::fill_n(work.nodal[2], values, 0.0);  // by node, the forces beyond the elements inboard of it
-  std::fill_n(work.force, values, 0.0);
+  std::fill_n(scratch_->nodal[2], values,
+              0.0);  // by node, the forces beyond the elements inboard of it
+  std::fill_n(scratch_->force, values, 0.0);
 }
 
 void AppliedTension::add_at_node(int node, const Position& force) noexcept {
   assert(node >= 0 && node < body_.node_count());
-  Eigen::Map<Position>(work_.nodal[2] + kTwist * node) += force;
+  Eigen::Map<Position>(scratch_->nodal[2] + kTwist * node) += force;
 }
 
 void AppliedTension::add_at(const Section& section, const Position& force) noexcept {
@@ -100,8 +101,10 @@ void AppliedTension::add_product(int e, double xi, const Multiply& multiply,
                                  const Position& force) noexcept {
   assert(e >= 0 && e < body_.elements);
   const BeamElement& element = element_of(body_, e);
-  const PlaneCoordinates q = in_axes_of(element, body_.is_straight, work_.nodal[0] + kTwist * e);
-  const PlaneCoordinates v = in_axes_of(element, body_.is_straight, work_.nodal[1] + kTwist * e);
+  const PlaneCoordinates q =
+      in_axes_of(element, body_.is_straight, scratch_->nodal[0] + kTwist * e);
+  const PlaneCoordinates v =
+      in_axes_of(element, body_.is_straight, scratch_->nodal[1] + kTwist * e);
   const double tension = element.axes.col(0).dot(force);
   PlaneCoordinates f = multiply(q);
   const double trapeze = xi * element.stiffening.torsion[0] * twist_of(q);
@@ -111,7 +114,7 @@ void AppliedTension::add_product(int e, double xi, const Multiply& multiply,
   for (Double2& slope : f.slope) slope *= tension;
   f.torsion[0] = -tension * trapeze;
   f.torsion[1] = tension * trapeze;
-  subtract_forces_of(element, body_.is_straight, f, work_.force + kTwist * e);
+  subtract_forces_of(element, body_.is_straight, f, scratch_->force + kTwist * e);
   moment_ -= 0.5 * form * cross(Position(element.axes.col(0)), force);
   power_ -= tension * rate;
 }
@@ -121,14 +124,16 @@ void AppliedTension::add_at_sections(int e, const SectionForces& forces) noexcep
   add_at_node(e, forces.sum);
   run_large_kernel([&]() noexcept {
     const BeamElement& element = element_of(body_, e);
-    const PlaneCoordinates q = in_axes_of(element, body_.is_straight, work_.nodal[0] + kTwist * e);
-    const PlaneCoordinates v = in_axes_of(element, body_.is_straight, work_.nodal[1] + kTwist * e);
+    const PlaneCoordinates q =
+        in_axes_of(element, body_.is_straight, scratch_->nodal[0] + kTwist * e);
+    const PlaneCoordinates v =
+        in_axes_of(element, body_.is_straight, scratch_->nodal[1] + kTwist * e);
     PlaneCoordinates f = multiply_slopes(forces.slopes, q);
     const double torque = forces.along * element.stiffening.torsion[0] * twist_of(q);
     power_ -= total(sum_products(f, v)) + torque * twist_of(v);
     f.torsion[0] = -torque;
     f.torsion[1] = torque;
-    subtract_forces_of(element, body_.is_straight, f, work_.force + kTwist * e);
+    subtract_forces_of(element, body_.is_straight, f, scratch_->force + kTwist * e);
     moment_ -= 0.5 * cross(Position(element.axes.col(0)), forces.drawn);
   });
 }
@@ -137,11 +142,11 @@ Angular AppliedTension::add_to(BodyTerms& terms) noexcept {
   run_large_kernel([this]() noexcept {
     Position beyond = Position::Zero();
     for (int e = body_.elements - 1; e >= 0; --e) {
-      beyond += Eigen::Map<const Position>(work_.nodal[2] + kTwist * (e + 1));
+      beyond += Eigen::Map<const Position>(scratch_->nodal[2] + kTwist * (e + 1));
       if (!beyond.isZero(0.0)) add_element(e, beyond);
     }
     double* rows = work_.rows;
-    const double* force = work_.force;
+    const double* force = scratch_->force;
     for (int node = 0; node < body_.node_count(); ++node, rows += kNodeRows, force += kTwist)
       for (int c = 0; c < kTwist; ++c) rows[4 * c + 3] += force[c];
   });

@@ -11,7 +11,7 @@
 
 #include <array>
 
-#include "engine/space/body_data.h"
+#include "engine/space/body_scratch.h"
 #include "engine/space/section.h"
 
 namespace spoke::space {
@@ -37,7 +37,7 @@ struct SectionForces {
 };
 
 /// Collects the forces beyond the elements of a body, and turns them to terms. It works in
-/// BodyWork::force and three of BodyWork::nodal.
+/// BodyScratch::force and three of BodyScratch::nodal.
 class AppliedTension {
  public:
   /// Begins for a body at a state, which has geometric stiffening.
@@ -62,6 +62,7 @@ class AppliedTension {
 
   const FlexibleBody& body_;
   const BodyWork& work_;
+  const ScratchRoom scratch_;
   Angular moment_ = Angular::Zero();
   double power_ = 0.0;  ///< power on the deformation [W]
 };

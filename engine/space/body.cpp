@@ -29,31 +29,6 @@ std::size_t joint_stride(const Joint& joint) {
 /// Returns the vectors of a joint's coordinates: q, v, a, a_found and the integrator's.
 std::size_t joint_vectors(int history) { return 4 + static_cast<std::size_t>(history); }
 
-std::size_t count_joint(const Joint& joint, int history) {
-  return joint_stride(joint) * joint_vectors(history) + even(kForces) + even(kRotationState) +
-         even(kMotion * static_cast<std::size_t>(joint.driven));
-}
-
-/// Places a joint's data in memory that is zero.
-void place_joint(const Joint& joint, int history, double* memory, JointData& data) {
-  const auto take = [&memory](std::size_t count) {
-    return std::exchange(memory, memory + even(count));
-  };
-  CoordinateBlock& block = data.coordinates;
-  block.size = joint.coordinates;
-  const std::size_t stride = joint_stride(joint);
-  block.q = take(stride);
-  block.v = take(stride);
-  block.a = take(stride);
-  data.a_found = take(stride);
-  for (int k = 0; k < history; ++k) block.history[static_cast<std::size_t>(k)] = take(stride);
-  data.forces = std::construct_at(reinterpret_cast<JointForces*>(take(kForces)));
-  data.rotation = std::construct_at(reinterpret_cast<RotationState*>(take(kRotationState)));
-  data.driven =
-      reinterpret_cast<PrescribedMotion*>(take(kMotion * static_cast<std::size_t>(joint.driven)));
-  std::uninitialized_value_construct_n(data.driven, joint.driven);
-}
-
 /// Of a body with strains of second order: coordinates of the norm s bend an element of length l by
 /// (sqrt(2) + l) s at most.
 double calc_surely_linear(const FlexibleBody& body, double range) {
@@ -93,21 +68,37 @@ Block make_block(const Body& body, const BlockFactors& factors) {
   return block;
 }
 
-std::size_t count_fields(const Body& body, const Joint& joint, int history) {
-  const std::size_t work =
-      std::visit([](const auto& shape) { return count_work(shape); }, body.shape);
-  return even(work) + count_joint(joint, history);
+std::size_t count_state(const Joint& joint, int history) {
+  return joint_stride(joint) * joint_vectors(history) + even(kForces) + even(kRotationState) +
+         even(kMotion * static_cast<std::size_t>(joint.driven));
 }
 
-void place_fields(const Body& body, const Joint& joint, int history, double* memory,
-                  BodyFields& fields) {
-  std::visit(
-      [&](const auto& shape) {
-        fields.work = place_work(shape, memory);
-        memory += even(count_work(shape));
-      },
-      body.shape);
-  place_joint(joint, history, memory, fields.joint);
+void place_state(const Joint& joint, int history, double* memory, BodyFields& fields) {
+  const auto take = [&memory](std::size_t count) {
+    return std::exchange(memory, memory + even(count));
+  };
+  JointData& data = fields.joint;
+  CoordinateBlock& block = data.coordinates;
+  block.size = joint.coordinates;
+  const std::size_t stride = joint_stride(joint);
+  block.q = take(stride);
+  block.v = take(stride);
+  block.a = take(stride);
+  data.a_found = take(stride);
+  for (int k = 0; k < history; ++k) block.history[static_cast<std::size_t>(k)] = take(stride);
+  data.forces = std::construct_at(reinterpret_cast<JointForces*>(take(kForces)));
+  data.rotation = std::construct_at(reinterpret_cast<RotationState*>(take(kRotationState)));
+  data.driven =
+      reinterpret_cast<PrescribedMotion*>(take(kMotion * static_cast<std::size_t>(joint.driven)));
+  std::uninitialized_value_construct_n(data.driven, joint.driven);
+}
+
+std::size_t count_fields(const Body& body) {
+  return even(std::visit([](const auto& shape) { return count_work(shape); }, body.shape));
+}
+
+void place_fields(const Body& body, double* memory, BodyFields& fields) {
+  std::visit([&](const auto& shape) { fields.work = place_work(shape, memory); }, body.shape);
 }
 
 Section make_section(const Body& body, int element, double s) {

@@ -88,12 +88,14 @@ struct BodyFields {
   SlideState slide;                         ///< slide of the joint that carries it, if it slides
 };
 
-/// Counts the doubles that the fields of a body and of the joint that carries it take; `history`:
-/// flex vectors that the integrator keeps.
-std::size_t count_fields(const Body& body, const Joint& joint, int history);
-/// Places them in so much memory, which is zero and aligned to 16 bytes.
-void place_fields(const Body& body, const Joint& joint, int history, double* memory,
-                  BodyFields& fields);
+/// Counts the doubles that the state of the joint that carries a body takes; `history`: vectors of
+/// coordinates that the integrator keeps.
+std::size_t count_state(const Joint& joint, int history);
+/// Counts the doubles that the fields of a body take that are no state.
+std::size_t count_fields(const Body& body);
+/// Place them in so much memory, which is zero and aligned to 16 bytes.
+void place_state(const Joint& joint, int history, double* memory, BodyFields& fields);
+void place_fields(const Body& body, double* memory, BodyFields& fields);
 
 /// Makes the section at `s` of an element, 0 at its inboard end, 1 at the outboard end.
 /// Precondition: the body is flexible.

@@ -56,18 +56,13 @@ BodyWork place(const RigidBody& body, Places& places) {
 
 BodyWork place(const FlexibleBody& body, Places& places) {
   const auto nodes = static_cast<std::size_t>(body.node_count());
-  const auto elements = static_cast<std::size_t>(body.elements);
   const std::size_t handles = body.handles.size();
   BodyWork work;
   work.rows = places.take(kNodeRows * nodes);
   work.half = places.take(kNodeRows * nodes);
   place_port(handles, places, work);
   work.condensed.X = places.take_objects<TwistMatrix>(handles);
-  work.slots = places.take(kNodeSlots * kSlot * nodes + kSlot * elements);
-  work.momenta = places.take(kNodeSlots * kSlot * nodes + kSlot * elements);
-  work.force = places.take(kTwist * nodes);
-  for (double*& nodal : work.nodal) nodal = places.take(kTwist * nodes);
-  work.lanes = places.take(count_lanes(body));
+  if (const std::size_t count = count_scratch(body); count > 0) work.scratch = places.take(count);
   return work;
 }
 
@@ -79,7 +74,7 @@ BodyWork place(const Solid& body, Places& places) {
   work.half = places.take(4 * n);
   place_port(body.handles.size(), places, work);
   work.condensed.X = places.take_objects<TwistMatrix>(body.handles.size());
-  work.slots = places.take(count_scratch(body));
+  work.scratch = places.take(count_scratch(body));
   return work;
 }
 
@@ -108,7 +103,6 @@ BodyWork place_work(const FlexibleBody& body, double* memory) {
   BodyWork work = place(body, places);
   std::fill_n(work.rows, kNodeRows * body.node_count(), 0.0);
   std::fill_n(work.half, kNodeRows * body.node_count(), 0.0);
-  std::fill_n(work.lanes, count_lanes(body), 0.0);
   return work;
 }
 

@@ -110,7 +110,8 @@ inline constexpr int kSlot = 6;
 /// Values of a node in BodyWork::rows.
 inline constexpr int kNodeRows = 4 * kTwist;
 
-/// Values by node of one component, in BodyWork::lanes: node k stands at 1 + k, and zeros around.
+/// Values by node of one component, in BodyScratch::lanes: node k stands at 1 + k, and zeros
+/// around.
 inline std::size_t lane_stride(const FlexibleBody& body) {
   return static_cast<std::size_t>(body.node_count()) + 8;
 }
@@ -130,12 +131,9 @@ struct BodyWork {
   Condensed condensed;
   tree::MultiPort<Space> port;
   Twist* wrenches = nullptr;  ///< wrenches of the joints on the handles
-  // Memory within one kernel only.
-  double* slots = nullptr;    ///< by node four slots, each with its rate, and then by element one
-  double* momenta = nullptr;  ///< mu = m rho and mu', laid out as the slots
-  double* force = nullptr;    ///< forces by node
-  std::array<double*, 4> nodal{};  ///< flex vectors by node
-  double* lanes = nullptr;  ///< kLaneRows rows of lane_stride() values, for bodies with directions
+  /// Memory within one kernel only, of reduced solids and of beams of many elements: see
+  /// body_scratch.h.
+  double* scratch = nullptr;
 
   // Of solids in nodal coordinates (nodal_memory.h).
   NodalWork tiles;             ///< memory of the terms, with `rows`
@@ -144,6 +142,8 @@ struct BodyWork {
   double* solution = nullptr;  ///< accelerations of the deformation coordinates
 };
 
+/// Counts the doubles of BodyWork::scratch; none where the stack has room.
+std::size_t count_scratch(const FlexibleBody& body);
 /// Count the doubles of a body's work, and place the work in so much memory, aligned to 16 bytes.
 std::size_t count_work(const FlexibleBody& body);
 BodyWork place_work(const FlexibleBody& body, double* memory);
@@ -153,11 +153,11 @@ std::size_t count_work(const RigidBody& body);
 BodyWork place_work(const RigidBody& body, double* memory);
 
 /// Count and place the work of a solid: rows of four by coordinate, handles and a multi-port. Of a
-/// reduced one `slots` is memory for kSolidVectors vectors, padded as in reduced_products.h. Of one
-/// in nodal coordinates rows and all that depends on tiles have memory of their own
+/// reduced one `scratch` is memory for kSolidVectors vectors, padded as in reduced_products.h. Of
+/// one in nodal coordinates rows and all that depends on tiles have memory of their own
 /// (nodal_memory.h).
 inline constexpr int kSolidVectors = 24;
-std::size_t count_scratch(const Solid& body);  ///< doubles of `slots`
+std::size_t count_scratch(const Solid& body);  ///< doubles of `scratch`
 std::size_t count_work(const Solid& body);
 BodyWork place_work(const Solid& body, double* memory);
 

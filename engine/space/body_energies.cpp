@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "engine/space/body_scratch.h"
 #include "engine/space/body_slots.h"
 #include "engine/space/body_stiffening.h"
 #include "engine/space/element_products.h"
@@ -14,16 +15,17 @@ namespace spoke::space {
 namespace {
 
 /// Returns 1/2 sum rho'_i . mu'_i.
-double deformation_energy(const FlexibleBody& body, const BodyWork& work) {
+double deformation_energy(const FlexibleBody& body, const BodyScratch& scratch) {
   const int slots = kNodeSlots * body.node_count() + body.elements;
   double sum = 0.0;
   for (int i = 0; i < slots; ++i)
-    for (int c = 3; c < kSlot; ++c) sum += work.slots[kSlot * i + c] * work.momenta[kSlot * i + c];
+    for (int c = 3; c < kSlot; ++c)
+      sum += scratch.slots[kSlot * i + c] * scratch.momenta[kSlot * i + c];
   return 0.5 * sum;
 }
 
-double strain_energy(const FlexibleBody& body, const double* q, const BodyWork& work) {
-  if (body.is_nonlinear()) return calc_nonlinear_energy(body, q, work);
+double strain_energy(const FlexibleBody& body, const double* q, const BodyScratch& scratch) {
+  if (body.is_nonlinear()) return calc_nonlinear_energy(body, q, scratch.slots);
   double sum = 0.0;
   for (const BeamElement& element : body.beam) {
     double d[kTwist], F[kTwist];
@@ -41,10 +43,11 @@ BodyEnergies calc_body_energies(const BodyModel& model, const BodyState& state, 
                                 const BodyMotion& motion, const BodyWork& work) noexcept {
   assert(model.body && state.q && state.v);
   const FlexibleBody& body = *model.body;
-  double *q = work.nodal[0], *v = work.nodal[1];
+  const ScratchRoom scratch(body, work);
+  double *q = scratch->nodal[0], *v = scratch->nodal[1];
   expand(body, state.q, q);
   expand(body, state.v, v);
-  const SlotSums sums = calc_slots(body, q, v, work);
+  const SlotSums sums = calc_slots(body, q, v, *scratch);
   const Position v0 = linear(twist), w = angular(twist);
   // The sum of rho x mu' follows from G = sum rho mu'^T.
   const Position spin(sums.G(1, 2) - sums.G(2, 1), sums.G(2, 0) - sums.G(0, 2),
@@ -53,13 +56,13 @@ BodyEnergies calc_body_energies(const BodyModel& model, const BodyState& state, 
   energies.S = sums.S;
   energies.kinetic = 0.5 * body.mass * v0.squaredNorm() + v0.dot(cross(w, sums.S) + sums.S_rate) +
                      0.5 * w.dot(sums.inertia().lazyProduct(w)) + w.dot(spin) +
-                     deformation_energy(body, work);
-  energies.strain = strain_energy(body, q, work);
+                     deformation_energy(body, *scratch);
+  energies.strain = strain_energy(body, q, *scratch);
   if (body.is_nonlinear())
     energies.kinetic -= 0.5 * w.dot(calc_turned_inertia(body, q).lazyProduct(w));
   if (!model.tension) return energies;
-  std::fill_n(work.force, kTwist * body.node_count(), 0.0);
-  const StiffeningSums stiffening = add_stiffening(model, motion, q, v, work.force);
+  std::fill_n(scratch->force, kTwist * body.node_count(), 0.0);
+  const StiffeningSums stiffening = add_stiffening(model, motion, q, v, scratch->force);
   const HubStiffening hub = calc_hub_stiffening(*model.tension, motion.gravity, stiffening);
   energies.kinetic -= 0.5 * motion.hub_w.dot(hub.inertia.lazyProduct(motion.hub_w));
   energies.tension = motion.gravity.dot(calc_tension_moment(*model.tension, stiffening.value));
@@ -68,14 +71,16 @@ BodyEnergies calc_body_energies(const BodyModel& model, const BodyState& state, 
 
 double calc_strain_energy(const FlexibleBody& body, const double* q,
                           const BodyWork& work) noexcept {
-  expand(body, q, work.nodal[0]);
-  return strain_energy(body, work.nodal[0], work);
+  const ScratchRoom scratch(body, work);
+  expand(body, q, scratch->nodal[0]);
+  return strain_energy(body, scratch->nodal[0], *scratch);
 }
 
 double calc_foreshortening(const BodyModel& model, const double* q, const BodyWork& work) noexcept {
   if (!model.tension) return 0.0;
-  expand(*model.body, q, work.nodal[0]);
-  return 0.5 * sum_slope_products(*model.body, work.nodal[0], work.nodal[0],
+  const ScratchRoom scratch(*model.body, work);
+  expand(*model.body, q, scratch->nodal[0]);
+  return 0.5 * sum_slope_products(*model.body, scratch->nodal[0], scratch->nodal[0],
                                   model.body->elements - 1, 1.0);
 }
 
@@ -83,11 +88,13 @@ Foreshortening calc_foreshortening(const BodyModel& model, const Section& sectio
                                    const double* v, const double* a,
                                    const BodyWork& work) noexcept {
   if (!model.tension) return {};
+  const ScratchRoom scratch(*model.body, work);
   const double* flex[] = {q, v, a};
-  for (std::size_t k = 0; k < 3; ++k) expand(*model.body, flex[k], work.nodal[k]);
+  for (std::size_t k = 0; k < 3; ++k) expand(*model.body, flex[k], scratch->nodal[k]);
   const double xi = place_in_element(*model.body, section);
   const auto product = [&](std::size_t i, std::size_t k) {
-    return sum_slope_products(*model.body, work.nodal[i], work.nodal[k], section.element, xi);
+    return sum_slope_products(*model.body, scratch->nodal[i], scratch->nodal[k], section.element,
+                              xi);
   };
   return {0.5 * product(0, 0), product(0, 1), product(1, 1) + product(0, 2)};
 }

@@ -91,22 +91,14 @@ Memory memory_of_terms(BodyData<Space>& body) {
 
 Memory memory_of_scratch(BodyData<Space>& body) {
   if (const space::Solid* solid = body.model->body->solid()) {
-    if (!body.tiles) return {memory_of(body.work.slots, count_scratch(*solid))};
+    if (!body.tiles) return {memory_of(body.work.scratch, count_scratch(*solid))};
     Memory memory;
     append(memory_of_observed(*solid, *body.tiles, body.work), memory);
     return memory;
   }
   const space::FlexibleBody* flexible = body.model->body->flexible();
-  if (!flexible) return {};
-  const auto nodes = static_cast<std::size_t>(flexible->node_count());
-  const std::size_t slots =
-      space::kSlot * (space::kNodeSlots * nodes + static_cast<std::size_t>(flexible->elements));
-  const space::BodyWork& work = body.work;
-  Memory memory{memory_of(work.slots, slots), memory_of(work.momenta, slots),
-                memory_of(work.force, space::kTwist * nodes)};
-  if (flexible->directions) memory.push_back(memory_of(work.lanes, count_lanes(*flexible)));
-  for (double* nodal : work.nodal) memory.push_back(memory_of(nodal, space::kTwist * nodes));
-  return memory;
+  if (!flexible || !body.work.scratch) return {};
+  return {memory_of(body.work.scratch, count_scratch(*flexible))};
 }
 
 namespace {

@@ -173,21 +173,22 @@ struct OuterProducts {
   }
 };
 
-SlotSums calc(const FlexibleBody& body, const double* q, const double* v, const BodyWork& work) {
+SlotSums calc(const FlexibleBody& body, const double* q, const double* v,
+              const BodyScratch& scratch) {
   assert(std::cmp_equal(body.slots.own.size(), body.node_count()));
   assert(std::cmp_equal(body.slots.stretch.size(), body.elements));
-  set_slots(body, q, v, work.slots);
+  set_slots(body, q, v, scratch.slots);
   if (body.is_decoupled)
-    calc_momenta<true>(body, work.slots, work.momenta);
+    calc_momenta<true>(body, scratch.slots, scratch.momenta);
   else
-    calc_momenta<false>(body, work.slots, work.momenta);
+    calc_momenta<false>(body, scratch.slots, scratch.momenta);
   OuterProducts products;
-  products.add(work.slots, work.momenta, kNodeSlots * body.node_count() + body.elements);
+  products.add(scratch.slots, scratch.momenta, kNodeSlots * body.node_count() + body.elements);
   SlotSums sums;
   products.take_apart(sums.J, sums.G);
   SlotValues places;
   for (int k = 0; k < body.node_count(); ++k)
-    places.add(1.0, SlotValues::from(work.momenta + kNodeSlots * kSlot * k));
+    places.add(1.0, SlotValues::from(scratch.momenta + kNodeSlots * kSlot * k));
   sums.S = Position(places.a[0], places.a[1], places.a[2]);
   sums.S_rate = Position(places.a[3], places.b[0], places.b[1]);
   return sums;
@@ -196,8 +197,8 @@ SlotSums calc(const FlexibleBody& body, const double* q, const double* v, const 
 }  // namespace
 
 SlotSums calc_slots(const FlexibleBody& body, const double* q, const double* v,
-                    const BodyWork& work) noexcept {
-  return run_large_kernel([&]() noexcept { return calc(body, q, v, work); });
+                    const BodyScratch& scratch) noexcept {
+  return run_large_kernel([&]() noexcept { return calc(body, q, v, scratch); });
 }
 
 }  // namespace spoke::space

@@ -5,7 +5,7 @@
 
 #include <cassert>
 
-#include "engine/space/body_data.h"
+#include "engine/space/body_scratch.h"
 
 namespace spoke::space {
 
@@ -20,10 +20,10 @@ struct SlotSums {
   Matrix3 inertia() const { return J.trace() * Matrix3::Identity() - J; }
 };
 
-/// Sets the slots rho and momenta mu = m rho of `work`, with their rates, from coordinates and
-/// velocities by node. Returns their sums.
+/// Sets the slots rho and momenta mu = m rho, with their rates, from coordinates and velocities by
+/// node. Returns their sums.
 SlotSums calc_slots(const FlexibleBody& body, const double* q, const double* v,
-                    const BodyWork& work) noexcept;
+                    const BodyScratch& scratch) noexcept;
 
 /// Returns the place of an element's stretch: its slots and momenta stand behind those of the
 /// nodes.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "engine/space/body_scratch.h"
 #include "engine/space/body_slots.h"
 #include "engine/space/body_stiffening.h"
 #include "engine/space/element_products.h"
@@ -72,16 +73,17 @@ void add_stretch_rows(const BeamElement& element, const InertiaForce& b, const d
   }
 }
 
-void calc_rows(const FlexibleBody& body, const Angular& w, const BodyWork& work) {
+void calc_rows(const FlexibleBody& body, const Angular& w, const BodyScratch& scratch,
+               double* rows) {
   const InertiaForce b(w);
   for (int k = body.first_node(); k < body.node_count(); ++k)
-    set_rows(b, work.momenta + kNodeSlots * kSlot * k, work.force + kTwist * k,
-             work.rows + kNodeRows * k);
+    set_rows(b, scratch.momenta + kNodeSlots * kSlot * k, scratch.force + kTwist * k,
+             rows + kNodeRows * k);
   // Node 0 of a clamped body has no rows that count: the share of the first element is not used.
-  if (body.first_node() > 0) std::fill_n(work.rows, kNodeRows, 0.0);
+  if (body.first_node() > 0) std::fill_n(rows, kNodeRows, 0.0);
   for (int e = 0; e < body.elements; ++e)
     add_stretch_rows(body.beam[static_cast<std::size_t>(e)], b,
-                     work.momenta + stretch_place(body, e), work.rows + kNodeRows * e);
+                     scratch.momenta + stretch_place(body, e), rows + kNodeRows * e);
 }
 
 void add_elastic_force(const FlexibleBody& body, const double* q, double* force) {
@@ -157,23 +159,23 @@ double add_mass_damping(const FlexibleBody& body, double factor, const double* v
   return power;
 }
 
-/// Flex vectors by node, expanded into work memory, each once.
+/// Flex vectors by node, expanded into scratch memory, each once.
 struct NodalState {
   const double *q, *v, *q_elastic, *v_elastic;
 
   NodalState(const FlexibleBody& body, const BodyState& state, bool is_damped,
-             const BodyWork& work) {
-    expand(body, state.q, work.nodal[0]);
-    expand(body, state.v, work.nodal[1]);
-    q = q_elastic = work.nodal[0];
-    v = v_elastic = work.nodal[1];
+             const std::array<double*, 4>& nodal) {
+    expand(body, state.q, nodal[0]);
+    expand(body, state.v, nodal[1]);
+    q = q_elastic = nodal[0];
+    v = v_elastic = nodal[1];
     if (state.q_elastic != state.q) {
-      expand(body, state.q_elastic, work.nodal[2]);
-      q_elastic = work.nodal[2];
+      expand(body, state.q_elastic, nodal[2]);
+      q_elastic = nodal[2];
     }
     if (is_damped && state.v_elastic != state.v) {
-      expand(body, state.v_elastic, work.nodal[3]);
-      v_elastic = work.nodal[3];
+      expand(body, state.v_elastic, nodal[3]);
+      v_elastic = nodal[3];
     }
   }
 };
@@ -181,17 +183,18 @@ struct NodalState {
 /// Adds damping to the rows of a body whose directions do not meet.
 double add_damping_to_rows(const FlexibleBody& body, const Damping& damping, const BodyState& state,
                            const BodyWork& work) {
+  const ScratchRoom scratch(body, work);
   double power = 0.0;
-  std::fill_n(work.force, kTwist * body.node_count(), 0.0);
-  expand(body, state.v, work.nodal[1]);
-  expand(body, state.v_elastic, work.nodal[3]);
-  const double *v = work.nodal[1], *v_elastic = work.nodal[3];
+  std::fill_n(scratch->force, kTwist * body.node_count(), 0.0);
+  double *v = scratch->nodal[0], *v_elastic = scratch->nodal[1];
+  expand(body, state.v, v);
+  expand(body, state.v_elastic, v_elastic);
   if (body.is_damped || damping.stiffness_factor != 0.0)
-    power += add_damping(body, damping, v_elastic, v, work.force);
+    power += add_damping(body, damping, v_elastic, v, scratch->force);
   if (damping.mass_factor != 0.0)
-    power += add_mass_damping(body, damping.mass_factor, v_elastic, v, work.force);
+    power += add_mass_damping(body, damping.mass_factor, v_elastic, v, scratch->force);
   for (int i = kTwist * body.first_node(); i < kTwist * body.node_count(); ++i)
-    work.rows[4 * i + 3] += work.force[i];
+    work.rows[4 * i + 3] += scratch->force[i];
   return power;
 }
 
@@ -201,29 +204,32 @@ BodyTerms calc_coupled_terms(const BodyModel& model, const BodyState& state,
                              const BodyWork& work) {
   const FlexibleBody& body = *model.body;
   const bool is_damped = body.is_damped || damping.stiffness_factor != 0.0;
-  const NodalState x(body, state, is_damped || damping.mass_factor != 0.0, work);
-  std::fill_n(work.force, kTwist * body.node_count(), 0.0);
+  const ScratchRoom scratch(body, work);
+  const NodalState x(body, state, is_damped || damping.mass_factor != 0.0, scratch->nodal);
+  double* const force = scratch->force;
+  std::fill_n(force, kTwist * body.node_count(), 0.0);
 
   BodyTerms terms;
   TurnedInertia turned;
   if (body.is_nonlinear()) {
-    terms.dissipation += subtract_strain_forces(
-        body, damping.stiffness_factor, {x.q_elastic, x.v_elastic}, {x.q, x.v}, work, work.force);
-    turned = subtract_turning(body, motion.w, {x.q, x.v}, work.force);
+    terms.dissipation +=
+        subtract_strain_forces(body, damping.stiffness_factor, {x.q_elastic, x.v_elastic},
+                               {x.q, x.v}, scratch->slots, force);
+    turned = subtract_turning(body, motion.w, {x.q, x.v}, force);
   } else {
-    add_elastic_force(body, x.q_elastic, work.force);
-    if (is_damped) terms.dissipation += add_damping(body, damping, x.v_elastic, x.v, work.force);
+    add_elastic_force(body, x.q_elastic, force);
+    if (is_damped) terms.dissipation += add_damping(body, damping, x.v_elastic, x.v, force);
   }
   if (damping.mass_factor != 0.0)
-    terms.dissipation += add_mass_damping(body, damping.mass_factor, x.v_elastic, x.v, work.force);
+    terms.dissipation += add_mass_damping(body, damping.mass_factor, x.v_elastic, x.v, force);
   if (model.tension) {
-    const StiffeningSums tension = add_stiffening(model, motion, x.q, x.v, work.force);
+    const StiffeningSums tension = add_stiffening(model, motion, x.q, x.v, force);
     terms.stiffening = calc_hub_stiffening(*model.tension, motion.gravity, tension);
     terms.tension = calc_tension_moment(*model.tension, tension);
   }
 
-  const SlotSums sums = calc_slots(body, x.q, x.v, work);
-  calc_rows(body, motion.w, work);
+  const SlotSums sums = calc_slots(body, x.q, x.v, *scratch);
+  calc_rows(body, motion.w, *scratch, work.rows);
   terms.S = sums.S;
   terms.S_rate = sums.S_rate;
   terms.Theta = sums.inertia();

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <utility>
 
+#include "engine/space/body_scratch.h"
 #include "engine/space/element_products.h"
 #include "models/support/unroll.h"
 #include "models/support/wide_kernels.h"
@@ -348,7 +349,8 @@ Twist recover(const BodyModel& model, const Twist* wrenches, bool implicit, cons
     else
       force += condensed.X[h].transpose().lazyProduct(wrenches[h]);
   const Twist X = condensed.S_inverse * force;
-  double* x = work.nodal[0];
+  const ScratchRoom scratch(body, work);
+  double* x = scratch->nodal[0];
   if (body.is_decoupled)
     recover_deformation<true>(body, block, X, wrenches, work, x);
   else

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <utility>
 
+#include "engine/space/body_scratch.h"
 #include "engine/space/implicit_tension.h"
 #include "engine/space/nonlinear_strain.h"
 
@@ -77,24 +78,26 @@ void keep_wrenches(const FlexibleBody& body, const double* q, ImplicitStrain& st
 void follow_strain(const FlexibleBody& body, const double* q, const BodyWork& work,
                    ImplicitStrain& strain) noexcept {
   assert(std::cmp_equal(strain.wrenches.size(), body.elements));
-  expand(body, q, work.nodal[0]);
-  set_shift(body, work.nodal[0], strain.shift);
+  const ScratchRoom scratch(body, work);
+  double* const nodal = scratch->nodal[0];
+  expand(body, q, nodal);
+  set_shift(body, nodal, strain.shift);
   // A body on its way to buckle, in a step as long as that takes.
-  if (!set_block(body, work.nodal[0], strain.gain, strain))
-    set_block(body, work.nodal[0], 0.0, strain);
+  if (!set_block(body, nodal, strain.gain, strain)) set_block(body, nodal, 0.0, strain);
 }
 
 void add_implicit_strain(const FlexibleBody& body, const ImplicitStrain& strain, const double* a,
                          const Angular& turn, const BodyWork& work, BodyTerms& terms) noexcept {
   assert(std::cmp_equal(strain.lean.size(), body.node_count()) && a);
-  double *nodal = work.nodal[0], *force = work.force;
+  const ScratchRoom scratch(body, work);
+  double *nodal = scratch->nodal[0], *force = scratch->force;
   expand(body, a, nodal);
   std::fill_n(force, kTwist * body.node_count(), 0.0);
   // (Mhat - Mff) A, with Mhat of shifted coordinates.
-  double* const mass = work.nodal[1];
+  double* const mass = scratch->nodal[1];
   std::fill_n(mass, kTwist * body.node_count(), 0.0);
   add_product(body.M, nodal, mass);
-  double* const shifted = work.nodal[2];
+  double* const shifted = scratch->nodal[2];
   std::copy_n(nodal, kTwist * body.node_count(), shifted);
   strain.shift.apply_inverse(shifted);
   add_product(body.M, shifted, force);

@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "engine/space/body_scratch.h"
 #include "engine/space/plane_coordinates.h"
 #include "engine/space/tension_weights.h"
 #include "models/support/wide_kernels.h"
@@ -160,7 +161,8 @@ void add_implicit_tension(const FlexibleBody& body, const ImplicitTension& tensi
                           const Angular& turn, const BodyWork& work, BodyTerms& terms) noexcept {
   assert(std::cmp_equal(tension.lean.size(), body.node_count()) && a);
   run_large_kernel([&]() noexcept {
-    double *nodal = work.nodal[0], *force = work.force;
+    const ScratchRoom scratch(body, work);
+    double *nodal = scratch->nodal[0], *force = scratch->force;
     expand(body, a, nodal);
     std::fill_n(force, kTwist * body.node_count(), 0.0);
     Angular moment = Angular::Zero();

@@ -4,7 +4,7 @@
 
 #include <cassert>
 
-#include "engine/space/body_data.h"
+#include "engine/space/body_scratch.h"
 #include "models/support/simd.h"
 
 namespace spoke::space {
@@ -13,14 +13,14 @@ namespace spoke::space {
 /// bending, (v, tz) and (w, -ty).
 enum LaneComponent { kAxialPlace, kTorsion, kPlace1, kSlope1, kPlace2, kSlope2 };
 
-/// Rows of BodyWork::lanes that belong together: one for each component.
+/// Rows of BodyScratch::lanes that belong together: one for each component.
 class LaneRows {
  public:
   enum Kind { coordinates, velocities, elastic_coordinates, inner_forces, outer_forces };
 
-  LaneRows(const FlexibleBody& body, const BodyWork& work, Kind kind)
+  LaneRows(const FlexibleBody& body, const BodyScratch& scratch, Kind kind)
       : stride_(lane_stride(body)),
-        first_(work.lanes + kTwist * static_cast<std::size_t>(kind) * stride_ + 1) {}
+        first_(scratch.lanes + kTwist * static_cast<std::size_t>(kind) * stride_ + 1) {}
 
   /// Returns the place of node k's value.
   double* at(int component, int k) const {

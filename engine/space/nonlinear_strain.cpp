@@ -134,10 +134,10 @@ TwistMatrix damping_of(const BeamElement& element, double stiffness_factor) {
 }
 
 double subtract_forces(const FlexibleBody& body, double stiffness_factor,
-                       const NodalMotion& elastic, const NodalMotion& motion, const BodyWork& work,
+                       const NodalMotion& elastic, const NodalMotion& motion, double* scratch,
                        double* force) {
   const bool is_damped = body.is_damped || stiffness_factor != 0.0;
-  ElementValues values(body, work.slots);
+  ElementValues values(body, scratch);
   set_slope_moments(body, {elastic.q, is_damped ? elastic.v : nullptr}, values);
   double power = 0.0;
   visit_strains(body, elastic.q, [&](int e, const ElementStrain& strain, const Position& axis) {
@@ -276,9 +276,9 @@ Eigen::MatrixXd map_with_shift(const FlexibleBody& body, int e, const ElementStr
 
 double subtract_strain_forces(const FlexibleBody& body, double stiffness_factor,
                               const NodalMotion& elastic, const NodalMotion& motion,
-                              const BodyWork& work, double* force) noexcept {
+                              double* scratch, double* force) noexcept {
   assert(body.is_nonlinear() && elastic.q && elastic.v && motion.q && motion.v);
-  return subtract_forces(body, stiffness_factor, elastic, motion, work, force);
+  return subtract_forces(body, stiffness_factor, elastic, motion, scratch, force);
 }
 
 Twist calc_strain(const FlexibleBody& body, int e, const double* q) noexcept {
@@ -316,10 +316,9 @@ void calc_strain_wrenches(const FlexibleBody& body, const double* q, double* scr
   });
 }
 
-double calc_nonlinear_energy(const FlexibleBody& body, const double* q,
-                             const BodyWork& work) noexcept {
+double calc_nonlinear_energy(const FlexibleBody& body, const double* q, double* scratch) noexcept {
   assert(body.is_nonlinear());
-  ElementValues values(body, work.slots);
+  ElementValues values(body, scratch);
   set_slope_moments(body, {q, nullptr}, values);
   double sum = 0.0;
   visit_strains(body, q, [&](int e, const ElementStrain& strain, const Position& axis) {
@@ -384,11 +383,12 @@ Matrix3 calc_turned_inertia(const FlexibleBody& body, const double* q) noexcept 
 }
 
 StrainMatrices calc_strain_matrices(const FlexibleBody& body, double stiffness_factor,
-                                    const double* q, const BodyWork& work) {
+                                    const double* q) {
   const Eigen::Index n = body.coordinates();
   StrainMatrices sum{Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n)};
   std::vector<Twist> wrenches(static_cast<std::size_t>(body.elements));
-  calc_strain_wrenches(body, q, work.slots, wrenches.data());
+  std::vector<double> scratch(3 * wrenches.size());
+  calc_strain_wrenches(body, q, scratch.data(), wrenches.data());
   std::vector<double> tension;
   visit_strains(body, q, [&](int e, const ElementStrain& strain, const Position& axis) {
     const auto at = static_cast<std::size_t>(e);

@@ -22,14 +22,13 @@ struct NodalMotion {
 
 /// Subtracts the elastic force at `elastic`.q and the damping force at `elastic`.v, D^T (K_D +
 /// stiffness_factor K) d', from the forces by node. Returns the power that damping takes at
-/// `motion` [W]. Uses work.slots.
+/// `motion` [W]. `scratch`: three doubles an element.
 double subtract_strain_forces(const FlexibleBody& body, double stiffness_factor,
                               const NodalMotion& elastic, const NodalMotion& motion,
-                              const BodyWork& work, double* force) noexcept;
+                              double* scratch, double* force) noexcept;
 
-/// Returns U [J] at coordinates by node. Uses work.slots.
-double calc_nonlinear_energy(const FlexibleBody& body, const double* q,
-                             const BodyWork& work) noexcept;
+/// Returns U [J] at coordinates by node. `scratch`: three doubles an element.
+double calc_nonlinear_energy(const FlexibleBody& body, const double* q, double* scratch) noexcept;
 
 /// Returns the strain d of element e at a flex vector, psi included: of second order what
 /// calc_relative() is to first order.
@@ -68,6 +67,6 @@ struct StrainMatrices {
   Eigen::MatrixXd stiffness, damping;
 };
 StrainMatrices calc_strain_matrices(const FlexibleBody& body, double stiffness_factor,
-                                    const double* q, const BodyWork& work);
+                                    const double* q);
 
 }  // namespace spoke::space

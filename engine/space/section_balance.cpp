@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/kernels/kinematics.h"
+#include "engine/space/body_scratch.h"
 #include "engine/space/body_stiffening.h"
 #include "engine/space/nonlinear_strain.h"
 #include "engine/space/solid_table_terms.h"
@@ -154,8 +155,9 @@ space::Twist calc_momentum(const BodyData<Space>& body, const space::Twist& twis
     sum += sum_moments(flexible.beam[e].mass, places, rates);
   }
   if (flexible.is_nonlinear()) {
-    space::expand(flexible, body.coordinates.q, body.work.nodal[0]);
-    angular(sum) -= calc_turned_inertia(flexible, body.work.nodal[0]) * angular(twist);
+    const space::ScratchRoom scratch(flexible, body.work);
+    space::expand(flexible, body.coordinates.q, scratch->nodal[0]);
+    angular(sum) -= calc_turned_inertia(flexible, scratch->nodal[0]) * angular(twist);
   }
   return sum;
 }
@@ -166,13 +168,13 @@ Angular calc_stiffening_momentum(const BodyData<Space>& body, const Angular& hub
   if (!body.model->stiffening) return Angular::Zero();
   if (body.model->body->solid()) return calc_solid_stiffening_momentum(body, hub_w);
   const FlexibleBody& flexible = *body.model->body->flexible();
-  const space::BodyWork& work = body.work;
-  space::expand(flexible, body.coordinates.q, work.nodal[0]);
-  space::expand(flexible, body.coordinates.v, work.nodal[1]);
-  std::fill_n(work.force, space::kTwist * flexible.node_count(), 0.0);
+  const space::ScratchRoom scratch(flexible, body.work);
+  space::expand(flexible, body.coordinates.q, scratch->nodal[0]);
+  space::expand(flexible, body.coordinates.v, scratch->nodal[1]);
+  std::fill_n(scratch->force, space::kTwist * flexible.node_count(), 0.0);
   const space::StiffeningSums sums =
-      add_stiffening(body_model_of(body), {Angular::Zero(), hub_w, Position::Zero()}, work.nodal[0],
-                     work.nodal[1], work.force);
+      add_stiffening(body_model_of(body), {Angular::Zero(), hub_w, Position::Zero()},
+                     scratch->nodal[0], scratch->nodal[1], scratch->force);
   const space::HubStiffening stiffening =
       calc_hub_stiffening(*body.model->stiffening, Position::Zero(), sums);
   return stiffening.inertia.lazyProduct(hub_w);

@@ -110,7 +110,7 @@ space::PlaceDrawn calc_solid_drawn(const BodyData<Space>& body, int place_number
     return calc_nodal_drawn(*body.tiles, *nodal, static_cast<std::size_t>(place_number), q, v, a,
                             body.work.observed.motions);
   return calc_place_drawn(*body.solid_tension, static_cast<std::size_t>(place_number), q, v, a,
-                          body.work.slots);
+                          body.work.scratch);
 }
 
 space::Angular calc_solid_stiffening_momentum(const BodyData<Space>& body,

@@ -135,8 +135,8 @@ Angular add_place_tension(const SolidTensionColumns& columns, std::size_t place,
                           const double* q, const double* v, const BodyWork& work,
                           double& power) noexcept {
   assert(place < columns.forces.size());
-  const double* x = pad(columns, q, work.slots);
-  double* product = work.slots + columns.stride;
+  const double* x = pad(columns, q, work.scratch);
+  double* product = work.scratch + columns.stride;
   Position drawn;
   for (std::size_t c = 0; c < 3; ++c) {
     const auto axis = static_cast<Eigen::Index>(c);

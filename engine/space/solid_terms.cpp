@@ -21,7 +21,7 @@ struct ModalVectors {
 
   ModalVectors(const SolidModel& model, const BodyState& state, const BodyWork& work)
       : modes(model.products->modes), stride(model.products->stride) {
-    double* next = work.slots;
+    double* next = work.scratch;
     const auto take = [&next, this](int count) {
       double* const place = next;
       next += count * stride;

@@ -184,11 +184,11 @@ struct StraightSums {
 }
 
 void calc_forces(const BodyModel& model, const BodyMotion& motion, LaneRows::Kind elastic,
-                 const BodyWork& work, BodyTerms& terms) {
+                 const BodyScratch& scratch, BodyTerms& terms) {
   const FlexibleBody& body = *model.body;
-  const LaneRows x(body, work, elastic), q(body, work, LaneRows::coordinates),
-      v(body, work, LaneRows::velocities), inner(body, work, LaneRows::inner_forces),
-      outer(body, work, LaneRows::outer_forces);
+  const LaneRows x(body, scratch, elastic), q(body, scratch, LaneRows::coordinates),
+      v(body, scratch, LaneRows::velocities), inner(body, scratch, LaneRows::inner_forces),
+      outer(body, scratch, LaneRows::outer_forces);
   const TensionPlace* const place = model.tension;
   TensionWeights weights{};
   if (place) weights = calc_tension_weights(*place, motion);
@@ -212,8 +212,8 @@ void calc_forces(const BodyModel& model, const BodyMotion& motion, LaneRows::Kin
 }  // namespace
 
 void calc_straight_forces(const BodyModel& model, const BodyMotion& motion, LaneRows::Kind elastic,
-                          const BodyWork& work, BodyTerms& terms) noexcept {
-  run_large_kernel([&]() noexcept { calc_forces(model, motion, elastic, work, terms); });
+                          const BodyScratch& scratch, BodyTerms& terms) noexcept {
+  run_large_kernel([&]() noexcept { calc_forces(model, motion, elastic, scratch, terms); });
 }
 
 }  // namespace spoke::space

@@ -7,11 +7,11 @@
 
 namespace spoke::space {
 
-/// Sets the forces of both ends of all elements in work.lanes, -K q of the elastic coordinates
+/// Sets the forces of both ends of all elements in scratch.lanes, -K q of the elastic coordinates
 /// `elastic` and, if the body is stiffened, those of the tension at the coordinates and velocities
 /// there. Of the terms it then sets those of the stiffening in the hub's equation, and the
 /// tension's moment.
 void calc_straight_forces(const BodyModel& model, const BodyMotion& motion, LaneRows::Kind elastic,
-                          const BodyWork& work, BodyTerms& terms) noexcept;
+                          const BodyScratch& scratch, BodyTerms& terms) noexcept;
 
 }  // namespace spoke::space

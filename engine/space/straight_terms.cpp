@@ -29,14 +29,14 @@ void take_apart(const double* nodal, int first, int count, const LaneRows& rows)
 }
 
 void set_lanes(const FlexibleBody& body, const double* flex, LaneRows::Kind kind,
-               const BodyWork& work) {
-  const LaneRows rows(body, work, kind);
+               const BodyScratch& scratch) {
+  const LaneRows rows(body, scratch, kind);
   if (body.reference_frame == ReferenceFrame::clamped) {
     take_apart(flex, 1, body.elements, rows);
     return;
   }
-  expand(body, flex, work.nodal[0]);
-  take_apart(work.nodal[0], 0, body.node_count(), rows);
+  expand(body, flex, scratch.nodal[0]);
+  take_apart(scratch.nodal[0], 0, body.node_count(), rows);
 }
 
 /// A flex vector at four nodes and their neighbours.
@@ -227,10 +227,11 @@ struct NodeSums {
 };
 
 /// Sets the rows of all nodes that have coordinates, and returns the sums over them.
-NodeSums sum_nodes(const FlexibleBody& body, const Angular& w, const BodyWork& work) {
-  const LaneRows q(body, work, LaneRows::coordinates), v(body, work, LaneRows::velocities);
-  const NodeForces force{LaneRows(body, work, LaneRows::inner_forces),
-                         LaneRows(body, work, LaneRows::outer_forces)};
+NodeSums sum_nodes(const FlexibleBody& body, const Angular& w, const BodyScratch& scratch,
+                   double* rows) {
+  const LaneRows q(body, scratch, LaneRows::coordinates), v(body, scratch, LaneRows::velocities);
+  const NodeForces force{LaneRows(body, scratch, LaneRows::inner_forces),
+                         LaneRows(body, scratch, LaneRows::outer_forces)};
   const InertiaForce b(w);
   NodeSums sums;
   int k = body.first_node();
@@ -246,7 +247,7 @@ NodeSums sum_nodes(const FlexibleBody& body, const Angular& w, const BodyWork& w
     sums.add_inertia(m, x, mu);
     sums.add_rates(m, x_rate, mu);
     set_rows(mu, rate, lanes(m.d_undeformed), lanes(m.g_undeformed), b, force, k,
-             std::min(4, body.node_count() - k), work.rows + kNodeRows * k);
+             std::min(4, body.node_count() - k), rows + kNodeRows * k);
     k += 4;
   }
   return sums;
@@ -257,16 +258,19 @@ Position take(const Double4 (&sum)[3]) { return {total(sum[0]), total(sum[1]), t
 BodyTerms calc_terms(const BodyModel& model, const BodyState& state, const BodyMotion& motion,
                      const BodyWork& work) {
   const FlexibleBody& body = *model.body;
-  set_lanes(body, state.q, LaneRows::coordinates, work);
-  set_lanes(body, state.v, LaneRows::velocities, work);
+  const ScratchRoom room(body, work);
+  const BodyScratch& scratch = *room;
+  std::fill_n(scratch.lanes, count_lanes(body), 0.0);
+  set_lanes(body, state.q, LaneRows::coordinates, scratch);
+  set_lanes(body, state.v, LaneRows::velocities, scratch);
   const bool is_at_state = state.q_elastic == state.q;
-  if (!is_at_state) set_lanes(body, state.q_elastic, LaneRows::elastic_coordinates, work);
+  if (!is_at_state) set_lanes(body, state.q_elastic, LaneRows::elastic_coordinates, scratch);
   BodyTerms terms;
   calc_straight_forces(model, motion,
-                       is_at_state ? LaneRows::coordinates : LaneRows::elastic_coordinates, work,
+                       is_at_state ? LaneRows::coordinates : LaneRows::elastic_coordinates, scratch,
                        terms);
   if (body.first_node() > 0) std::fill_n(work.rows, kNodeRows, 0.0);
-  const NodeSums sums = sum_nodes(body, motion.w, work);
+  const NodeSums sums = sum_nodes(body, motion.w, scratch, work.rows);
   const Inertia Theta = sums.inertia_sum(body.J0);
   const Position S = body.S0 + take(sums.S);
   terms.S = S;
@@ -280,7 +284,7 @@ BodyTerms calc_terms(const BodyModel& model, const BodyState& state, const BodyM
 
 BodyTerms calc_straight_terms(const BodyModel& model, const BodyState& state,
                               const BodyMotion& motion, const BodyWork& work) noexcept {
-  assert(model.body && model.body->directions && work.lanes);
+  assert(model.body && model.body->directions);
   assert(state.q && state.v && state.q_elastic);
   return run_large_kernel([&]() noexcept { return calc_terms(model, state, motion, work); });
 }

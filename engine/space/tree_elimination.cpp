@@ -10,6 +10,7 @@
 #include "engine/space/condense_body.h"
 #include "engine/space/condense_solid.h"
 #include "engine/space/table_terms.h"
+#include "engine/support/prefetch.h"
 #include "models/support/wide_kernels.h"
 
 namespace spoke::structured {
@@ -23,6 +24,17 @@ void place_mass(const BodyData<Space>& data, const space::Twist& twist) {
   if (!data.carried) return space::place_mass(*data.blocks[0]->rigid, twist, data.terms.Q, port);
   port.diagonal[0] = data.carried->mass;
   port.free[0] = data.terms.Q;
+}
+
+/// Fetches what the elimination of a chain reads next: the multi-port of a body, which stands
+/// behind its handles, and the joint behind it.
+void fetch_port(const SubsystemData<Space>& data, std::size_t j, const BodyWork<Space>& next) {
+  const tree::MultiPort<Space>& port = data.bodies[j].work.port;
+  const auto handles = static_cast<std::size_t>(port.handles);
+  prefetch(port.diagonal, handles * sizeof *port.diagonal);
+  prefetch(port.pairs, handles * sizeof *port.pairs);
+  prefetch(&next, sizeof next);
+  prefetch(&data.joints[j], sizeof data.joints[j]);
 }
 
 }  // namespace
@@ -46,6 +58,7 @@ void condense_body(BodyData<Space>& data, const space::Twist& twist, bool implic
 
 void join_children(const Subsystem<Space>& subsystem, std::size_t j,
                    const SubsystemData<Space>& data, SubsystemWork<Space>& work) {
+  if (data.outgrows_cache && j > 0) fetch_port(data, j - 1, work.bodies[j]);
   assert(j < work.bodies.size());
   assert(std::cmp_less(subsystem.bodies[j].children.size(), data.bodies[j].work.port.handles));
   const tree::MultiPort<Space>& port = data.bodies[j].work.port;
@@ -65,6 +78,8 @@ void join_children(const Subsystem<Space>& subsystem, std::size_t j,
 void recover_children(const Subsystem<Space>& subsystem, std::size_t j,
                       const SubsystemWork<Space>& work, SubsystemData<Space>& data) {
   assert(j < work.bodies.size() && data.bodies[j].work.wrenches);
+  if (data.outgrows_cache && j + 2 < work.bodies.size())
+    fetch_port(data, j + 1, work.bodies[j + 2]);
   BodyData<Space>& body = data.bodies[j];
   space::Twist* wrenches = body.work.wrenches;
   wrenches[0] = data.wrenches[j].inboard;

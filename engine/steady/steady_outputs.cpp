@@ -25,8 +25,9 @@ double station_of(const Subsystem<Plane>& subsystem, std::size_t j) {
   return subsystem.length * static_cast<double>(j) / static_cast<double>(subsystem.bodies.size());
 }
 double station_of(const Subsystem<Space>& subsystem, std::size_t j) {
-  const space::FlexibleBody* flexible = subsystem.bodies[j].body->flexible();
-  return flexible ? flexible->stations.front() : 0.0;
+  const TreeBody<Space>& body = subsystem.bodies[j];
+  const space::FlexibleBody* flexible = body.body->flexible();
+  return flexible ? body.begin + flexible->stations.front() : 0.0;
 }
 
 Eigen::Vector3d in_space(const Position& p) { return {p.x(), p.y(), 0.0}; }

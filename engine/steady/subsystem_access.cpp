@@ -175,9 +175,9 @@ std::optional<space::StrainMatrices> calc_strain_matrices(double stiffness_facto
                                                           const BodyData<Space>& body) {
   if (!has_nonlinear_strain(body)) return std::nullopt;
   const space::FlexibleBody* flexible = body.model->body->flexible();
-  double* const q = body.work.nodal[0];
-  space::expand(*flexible, body.q_elastic, q);
-  return space::calc_strain_matrices(*flexible, stiffness_factor, q, body.work);
+  Eigen::VectorXd q(space::kTwist * flexible->node_count());
+  space::expand(*flexible, body.q_elastic, q.data());
+  return space::calc_strain_matrices(*flexible, stiffness_factor, q.data());
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "engine/formulation/tree_joints.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/hub_solve.h"
+#include "engine/space/fetch_ahead.h"
 #include "engine/space/supported_rotor.h"
 #include "engine/step/pass_integration.h"
 #include "engine/step/recovery_end.h"
@@ -295,6 +296,7 @@ void add_recovery(const Assembly<World>& g, int i, int j) {
       if (is_tiled(data.bodies[j])) return add_recovery_between(g, i, j);
       return add(
           [&data, j, &work = c.work.structured[i].bodies[j]](BodyData<World>& body) noexcept {
+            fetch_for_recovery(data, static_cast<std::size_t>(j));
             structured::recover_body(data, static_cast<std::size_t>(j), work,
                                      data.progress->control.is_implicit, body, body.a_found);
           });

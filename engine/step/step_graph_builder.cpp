@@ -10,6 +10,7 @@
 #include "engine/kernels/applied_forces.h"
 #include "engine/kernels/modal_damping.h"
 #include "engine/plane/table_terms.h"
+#include "engine/space/fetch_ahead.h"
 #include "engine/space/table_terms.h"
 #include "engine/step/closing_nodes.h"
 #include "engine/step/control_nodes.h"
@@ -163,6 +164,7 @@ void add_mass(const Assembly<World>& g, int i, int j) {
   }
   g.builder.add_node(g.label(stages::kMass, i, j), reads(inputs), writes(outputs),
                      unless_halted(*data.progress, [&c, &data, i, j]() noexcept {
+                       fetch_for_terms(data, static_cast<std::size_t>(j));
                        calc_mass_terms(c, i, j, data);
                        BodyData<World>& body = data.bodies[static_cast<std::size_t>(j)];
                        if (!body.model->modal.is_empty())

@@ -26,6 +26,28 @@ std::span<std::byte> memory_of(Matrix& matrix) {
   return bytes_of(*matrix.data(), static_cast<std::size_t>(matrix.size()));
 }
 
+/// Adds what the elimination of the joint of `body` sets for each of its coordinates.
+template <class World, class Elimination>
+void add_response(const BodyData<World>& body, Elimination& elimination, Memory& memory) {
+  if constexpr (tree::kHasJointCoordinates<World>) {
+    tree::JointResponse<World>& response = elimination.response;
+    memory.push_back(bytes_of(response.wrench));
+    const auto n = static_cast<std::size_t>(body.model->joint.joint.coordinates);
+    if (n == 0) return;
+    for (auto* columns : {&response.H, &response.gain})
+      memory.push_back(bytes_of(*columns->data(), n * World::kTwist));
+    for (auto* values : {&response.given, &response.yield})
+      memory.push_back(bytes_of((*values)[0], n));
+  }
+}
+
+template <class World>
+Memory memory_of_joint(const BodyData<World>& body, tree::JointElimination<World>& joint) {
+  Memory memory{bytes_of(joint.Pi), bytes_of(joint.rhs)};
+  add_response(body, joint, memory);
+  return memory;
+}
+
 template <class World>
 void add_inverse_parts(SystemContext<World>& context, int i, int j, const std::string& name,
                        StepGraphBuilder& builder, BodyParts& parts) {
@@ -37,7 +59,8 @@ void add_inverse_parts(SystemContext<World>& context, int i, int j, const std::s
       parts.workspace = builder.add_part(name + "workspace", memory);
     if (Memory memory = memory_of_port(body, work.by_mass); !memory.empty())
       parts.port = builder.add_part(name + "port", memory);
-    if (!parts.is_root) parts.joint = builder.add_part(name + "joint", {bytes_of(work.joint)});
+    if (!parts.is_root)
+      parts.joint = builder.add_part(name + "joint", memory_of_joint(body, work.joint));
   } else if (context.formulation == Formulation::subsystem) {
     subsystem::BodyWork<World>& work = context.work.subsystem[i].bodies[j];
     parts.inverse = builder.add_part(
@@ -215,7 +238,12 @@ SubsystemParts add_subsystem_parts(SystemContext<World>& context, int i,
       add_synthesis_memory(context.work.subsystem[i], effective, workspace);
     } else {
       structured::SubsystemWork<World>& work = context.work.structured[i];
-      effective.push_back(bytes_of(work.roots[0], work.roots.size()));
+      for (std::size_t k = 0; k < work.roots.size(); ++k) {
+        tree::RootElimination<World>& root = work.roots[k];
+        effective.push_back(bytes_of(root.mass));
+        effective.push_back(bytes_of(root.free));
+        add_response(data.bodies[static_cast<std::size_t>(work.root_bodies[k])], root, effective);
+      }
       for (structured::BodyWork<World>& body : work.bodies)
         workspace.push_back(bytes_of(body.branch));
     }

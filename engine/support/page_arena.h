@@ -5,6 +5,8 @@
 // reads, that thread takes their lines away again and again. Two blades on two threads ran 1.4
 // times as fast as on one so, and run 1.9 times as fast with pages of their own.
 
+#include <sys/mman.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <new>
@@ -25,7 +27,7 @@ class Arena {
   Arena(const Arena&) = delete;
   Arena& operator=(const Arena&) = delete;
   ~Arena() {
-    for (std::byte* chunk : chunks_) ::operator delete (chunk, std::align_val_t{kPage});
+    for (const Chunk& chunk : chunks_) ::operator delete(chunk.memory, chunk.alignment);
   }
 
   /// Returns memory that begins with a cache line.
@@ -33,18 +35,34 @@ class Arena {
     bytes = rounded(bytes, kLine);
     if (bytes > left_) {
       left_ = rounded(std::max(bytes, kChunk), kPage);
-      next_ = static_cast<std::byte*>(::operator new (left_, std::align_val_t{kPage}));
-      chunks_.push_back(next_);
+      const std::align_val_t alignment{left_ < kHuge ? kPage : kHuge};
+      next_ = static_cast<std::byte*>(::operator new(left_, alignment));
+      chunks_.push_back({next_, alignment});
+      ask_for_huge_pages();
     }
     left_ -= bytes;
     return std::exchange(next_, next_ + bytes);
   }
 
  private:
-  static constexpr std::size_t kLine = 64, kPage = 4096, kChunk = 4 * kPage;
+  static constexpr std::size_t kLine = 64, kPage = 4096, kChunk = 4 * kPage, kHuge = 512 * kPage;
+
+  struct Chunk {
+    std::byte* memory;
+    std::align_val_t alignment;
+  };
+
+  /// Asks for pages of 2 MB in the chunk that has just been made, but for its end: a pass over a
+  /// long chain else waits for the addresses of small ones. Whether it gets any does not matter.
+  void ask_for_huge_pages() {
+#ifdef MADV_HUGEPAGE
+    if (left_ >= kHuge) madvise(next_, left_ / kHuge * kHuge, MADV_HUGEPAGE);
+#endif
+  }
+
   static std::size_t rounded(std::size_t n, std::size_t to) { return (n + to - 1) / to * to; }
 
-  std::vector<std::byte*> chunks_;
+  std::vector<Chunk> chunks_;
   std::byte* next_ = nullptr;
   std::size_t left_ = 0;
 };

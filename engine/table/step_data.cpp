@@ -14,19 +14,14 @@ namespace {
 
 // A body's own fields, by world.
 
-std::size_t count_fields(const TreeBody<Plane>& model, int /*history*/) {
-  return count_fields(*model.body);
+std::size_t count_joint_state(const TreeBody<Plane>&, int) { return 0; }
+void place_joint_state(const TreeBody<Plane>&, int, double*, BodyData<Plane>&) {}
+std::size_t count_joint_state(const TreeBody<Space>& model, int history) {
+  return space::count_state(model.joint.joint, history);
 }
-void place_fields(const TreeBody<Plane>& model, int /*history*/, double* memory,
-                  BodyData<Plane>& data) {
-  place_fields(*model.body, memory, data);
-}
-std::size_t count_fields(const TreeBody<Space>& model, int history) {
-  return space::count_fields(*model.body, model.joint.joint, history);
-}
-void place_fields(const TreeBody<Space>& model, int history, double* memory,
-                  BodyData<Space>& data) {
-  space::place_fields(*model.body, model.joint.joint, history, memory, data);
+void place_joint_state(const TreeBody<Space>& model, int history, double* memory,
+                       BodyData<Space>& data) {
+  space::place_state(model.joint.joint, history, memory, data);
 }
 
 plane::Section make_load_section(const BodyData<Plane>& data, const LoadPoint& point) {
@@ -74,17 +69,19 @@ void allocate(const Subsystem<World>& subsystem, const TableOptions& options,
   data.twists = ArenaVector<TwistOf<World>>(count, none, arena);
   data.joint_loads = ArenaVector<TwistOf<World>>(count, none, arena);
   data.wrenches = ArenaVector<typename BodyTypes<World>::HandleWrenches>(count, arena);
-  std::size_t total = BodyTypes<World>::Layout::kPad;
+  std::size_t state = BodyTypes<World>::Layout::kPad, fields = state;
   for (std::size_t j = 0; j < count; ++j) {
     data.bodies[j].model = &subsystem.bodies[j];
     lay_out(options.linear_range, data.bodies[j]);
-    total += static_cast<std::size_t>(data.bodies[j].layout.stride() * flex_vectors) +
-             count_fields(subsystem.bodies[j], options.history);
+    state += static_cast<std::size_t>(data.bodies[j].layout.stride() * flex_vectors) +
+             count_joint_state(subsystem.bodies[j], options.history);
+    fields += count_fields(*subsystem.bodies[j].body);
   }
   data.modal_forces = ArenaVector<double>(subsystem.modal_factors.size(), 0.0, arena);
   data.controls = ArenaVector<ControlState>(subsystem.controls.size(), arena);
-  data.storage = ArenaVector<double>(total, 0.0, arena);
-  double* next = data.storage.data();
+  data.state = ArenaVector<double>(state, 0.0, arena);
+  data.fields = ArenaVector<double>(fields, 0.0, arena);
+  double *next = data.state.data(), *next_fields = data.fields.data();
   for (BodyData<World>& body : data.bodies) {
     const auto take = [&] { return std::exchange(next, next + body.layout.stride()); };
     body.coordinates.q = take();
@@ -92,8 +89,11 @@ void allocate(const Subsystem<World>& subsystem, const TableOptions& options,
     body.coordinates.a = take();
     body.a_found = take();
     for (int k = 0; k < options.history; ++k) body.coordinates.history[k] = take();
-    place_fields(*body.model, options.history,
-                 std::exchange(next, next + count_fields(*body.model, options.history)), body);
+    place_joint_state(*body.model, options.history,
+                      std::exchange(next, next + count_joint_state(*body.model, options.history)),
+                      body);
+    const typename World::Body& shape = *body.model->body;
+    place_fields(shape, std::exchange(next_fields, next_fields + count_fields(shape)), body);
     body.X.setZero();
     body.report = {};
   }
@@ -222,6 +222,11 @@ void allocate(const System<World>& system, const TableOptions& options, StepData
       subsystem.records = ArenaVector<ReactionRecord<World>>(data.records.size(), *subsystem.arena);
   }
   follow_rotors(system, data);
+  constexpr std::size_t kCache = 1 << 17;  // doubles
+  std::size_t doubles = 0;
+  for (const SubsystemData<World>& own : data.subsystems)
+    doubles += own.state.size() + own.fields.size();
+  for (SubsystemData<World>& own : data.subsystems) own.outgrows_cache = doubles > kCache;
 }
 
 template <class World>
@@ -259,7 +264,7 @@ std::vector<std::span<std::byte>> StepData<World>::state_memory() {
     add(std::span(&hub_attitude, 1));
   add(progress);
   for (SubsystemData<World>& subsystem : subsystems) {
-    add(subsystem.storage);
+    add(subsystem.state);
     add(subsystem.controls);
     add(std::span(&subsystem.prescribed, 1));
     add(std::span(&subsystem.root_load, 1));

@@ -127,8 +127,12 @@ struct alignas(kInterferenceSize) SubsystemData {
   ArenaVector<typename Types::HandleWrenches> wrenches;
   ArenaVector<PoseOf<World>> poses;  ///< in the hub frame; for sensors, no part of a step
   ArenaVector<PoseOf<World>>
-      drag_poses;               ///< poses during a step; empty unless drag depends on them
-  ArenaVector<double> storage;  ///< memory of all flex vectors
+      drag_poses;  ///< poses during a step; empty unless drag depends on them
+  /// Whether the bodies of all subsystems together have more memory than caches near a processor:
+  /// then what is next is fetched ahead.
+  bool outgrows_cache = false;
+  ArenaVector<double> state;   ///< memory of all coordinates and their history
+  ArenaVector<double> fields;  ///< memory of the bodies' fields that are no state
   std::vector<LoadData<World>>
       loads;  ///< the user's loads that have their first marker's subsystem here
   std::optional<AirData<World>> air;  ///< if air acts on it; in space

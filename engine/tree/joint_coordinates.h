@@ -20,7 +20,8 @@ namespace spoke::tree {
 //   Pi_k = Pi_(k-1) - d_k y_k y_k^T,                       t_k = d_k (tau_k + H_k^T s_(k-1))
 //   s_k = s_(k-1) - t_k y_k,                               q_k'' = t_k + d_k y_k^T r_k
 
-/// Quantities that the elimination of a joint's coordinates leaves besides Pi.
+/// Quantities that the elimination of a joint's coordinates leaves besides Pi. Those of coordinates
+/// that it does not have are not set.
 template <class World>
 struct JointResponse {
   static constexpr int kMost = World::kMostJointCoordinates;
@@ -42,9 +43,6 @@ void eliminate_coordinates(const Joint& joint, typename World::SymmetricTwistMat
   assert(joint.coordinates >= 0 && joint.coordinates <= World::kMostJointCoordinates);
   using Twist = typename World::Twist;
   response.wrench = wrench;
-  response.gain.setZero();
-  response.given.fill(0.0);
-  response.yield.fill(0.0);
   for (int c = 0; c < joint.coordinates; ++c) {
     const auto k = static_cast<std::size_t>(c);
     const Twist H = response.H.col(c);

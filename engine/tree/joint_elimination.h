@@ -62,7 +62,6 @@ template <class World, class Joint>
   elimination.rhs = free - free_o;
   if constexpr (kHasJointCoordinates<World>) {
     JointResponse<World>& response = elimination.response;
-    response.H.setZero();
     for (int c = 0; c < joint.coordinates; ++c)
       response.H.col(c) = refer(joint.p, joint.columns.col(c));
     eliminate_coordinates(joint, elimination.Pi, response);
@@ -129,7 +128,6 @@ template <class World, class Joint>
   root.free = branch.free;
   if constexpr (kHasJointCoordinates<World>) {
     JointResponse<World>& response = root.response;
-    response.H.setZero();
     for (int c = 0; c < joint.coordinates; ++c)
       response.H.col(c) = joint.R.inverse() * Twist(joint.columns.col(c));
     eliminate_coordinates(joint, root.mass, response);

@@ -25,7 +25,6 @@ void eliminate_joint_by_mass(const Joint& joint, const Branch<World>& child,
                              typename World::SymmetricTwistMatrix& mass,
                              JointResponse<World>& response) noexcept {
   mass = rotate(joint.R, child.Lambda);
-  response.H.setZero();
   for (int c = 0; c < joint.coordinates; ++c) response.H.col(c) = joint.columns.col(c);
   eliminate_coordinates(joint, mass, response, typename World::Twist(joint.R * child.free));
 }

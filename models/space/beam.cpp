@@ -57,4 +57,37 @@ std::vector<double> Beam::breaks(double from, double to) const {
   return places;
 }
 
+std::optional<std::size_t> Beam::uniform_stretch(double from, double to) const {
+  assert(from < to);
+  const double rounding = 1e-12 * (to - from);  // as of is_outboard()
+  const auto has_mass = [&](const PointMass& point) {
+    return point.station >= from - rounding && point.station <= to + rounding;
+  };
+  if (!curve.is_straight() || std::any_of(masses.begin(), masses.end(), has_mass)) return {};
+  // Whether nothing changes from station k to the next.
+  const auto stays = [this](std::size_t k) {
+    return (matrices.empty() ? properties[k] == properties[k + 1]
+                             : matrices[k] == matrices[k + 1]) &&
+           (twist.empty() || twist[k] == twist[k + 1]);
+  };
+  std::size_t first = interval(from);
+  for (std::size_t k = first; k + 1 < station.size() && (k == first || station[k] < to); ++k)
+    if (!stays(k)) return {};
+  while (first > 0 && stays(first - 1)) --first;
+  return first;
+}
+
+Beam Beam::uniform_piece(std::size_t stretch, double length) const {
+  assert(stretch < station.size() && length > 0.0);
+  Beam piece;
+  piece.station = {0.0, length};
+  if (!properties.empty()) piece.properties.assign(2, properties[stretch]);
+  if (!matrices.empty()) piece.matrices.assign(2, matrices[stretch]);
+  if (!twist.empty()) piece.twist.assign(2, twist[stretch]);
+  piece.damping = damping;
+  piece.stiffness_damping = stiffness_damping;
+  piece.is_nonlinear = is_nonlinear;
+  return piece;
+}
+
 }  // namespace spoke::space

@@ -4,6 +4,8 @@
 // masses (docs/formulation.md, section 10). Places are given by the station x [m], the coordinate
 // along the x axis of the beam's frame.
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "models/space/reference_curve.h"
@@ -52,6 +54,13 @@ struct Beam {
   /// Returns the stations between `from` and `to` [m] at which a property, the twist, the curve or
   /// the mass outboard changes its law, both ends included, in order.
   std::vector<double> breaks(double from, double to) const;
+
+  /// Returns the number of the first station of the stretch of equal sections, equally twisted,
+  /// in which all between `from` and `to` [m] lies, both ends included; none if the axis is not
+  /// straight, sections differ there, or a small mass stands there.
+  std::optional<std::size_t> uniform_stretch(double from, double to) const;
+  /// Returns a beam of this length [m] from 0 on, of the sections of a stretch.
+  Beam uniform_piece(std::size_t stretch, double length) const;
 
  private:
   std::size_t interval(double x) const;

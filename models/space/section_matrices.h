@@ -15,6 +15,8 @@ struct MassMoments {
   double mass = 0.0;                  ///< mass [kg/m] or [kg]
   Position first = Position::Zero();  ///< int r dm [kg] or [kg m]
   Matrix3 second = Matrix3::Zero();   ///< int r r^T dm [kg m] or [kg m^2]
+
+  bool operator==(const MassMoments&) const = default;
 };
 
 /// Properties of a section by which engineers describe a blade. y and z are its axes 2 and 3; the
@@ -34,6 +36,8 @@ struct SectionProperties {
   double mass_centre_y = 0.0, mass_centre_z = 0.0;        ///< [m]
   double tension_centre_y = 0.0, tension_centre_z = 0.0;  ///< place where tension does not bend [m]
   double shear_centre_y = 0.0, shear_centre_z = 0.0;      ///< place where shear does not twist [m]
+
+  bool operator==(const SectionProperties&) const = default;
 };
 
 /// Full matrices of a section: stiffness of the strains (eps, gamma_y, gamma_z, kappa_x, kappa_y,
@@ -42,6 +46,8 @@ struct SectionProperties {
 struct StiffnessAndMass {
   TwistMatrix stiffness = TwistMatrix::Zero();  ///< [N, N m, N m^2]
   MassMoments mass;
+
+  bool operator==(const StiffnessAndMass&) const = default;
 };
 
 /// The common form to which both are reduced.

@@ -15,7 +15,7 @@ struct BladeAirModel {
   /// A station on a body.
   struct Place {
     int body = 0;
-    double station = 0.0;  ///< on the body's beam [m]
+    double station = 0.0;  ///< on the body [m]
   };
 
   spatial::BladeAerodynamics aerodynamics;

@@ -3,6 +3,8 @@
 #include "models/system/shared_bodies.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "models/tree/space_beam.h"
 
@@ -25,14 +27,35 @@ SharedBodies::MadeBeam SharedBodies::find_or_make(const spatial::Beam& beam,
   return beams_.emplace_back(KnownBeam{&beam, nodes, {shared, modes}}).made;
 }
 
-SharedBodies::Pointer SharedBodies::find_or_make_body(
+SharedBodies::PlacedBody SharedBodies::find_or_make_body(
     const std::shared_ptr<const space::Beam>& beam, const std::vector<double>& nodes,
     ReferenceFrame frame, const std::vector<int>& handles) {
+  if (const auto stretch = beam->uniform_stretch(nodes.front(), nodes.back()))
+    return {find_or_make_uniform(beam, *stretch, nodes, frame, handles), nodes.front()};
   Pointer& body = bodies_[{beam.get(), nodes, handles}];
   if (!body)
     body = std::make_shared<const space::Body>(
         space::Body{make_beam_body(*beam, nodes, frame, handles), beam});
-  return body;
+  return {body};
+}
+
+// Stations of a beam's cuts are rounded, so that differences of them are equal to a few units in
+// the last place of the stations only.
+SharedBodies::Pointer SharedBodies::find_or_make_uniform(
+    const std::shared_ptr<const space::Beam>& beam, std::size_t stretch,
+    const std::vector<double>& nodes, ReferenceFrame frame, const std::vector<int>& handles) {
+  std::vector<double> own;  // from the first node
+  for (const double node : nodes) own.push_back(node - nodes.front());
+  const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * beam->station.back();
+  std::vector<Pointer>& known = uniform_bodies_[{beam.get(), stretch, nodes.size(), handles}];
+  const auto at = std::find_if(known.begin(), known.end(), [&](const Pointer& body) {
+    return std::equal(own.begin(), own.end(), body->flexible()->stations.begin(),
+                      [&](double a, double b) { return std::abs(a - b) <= rounding; });
+  });
+  if (at != known.end()) return *at;
+  const auto piece = std::make_shared<const space::Beam>(beam->uniform_piece(stretch, own.back()));
+  return known.emplace_back(std::make_shared<const space::Body>(
+      space::Body{make_beam_body(*piece, std::move(own), frame, handles), piece}));
 }
 
 SharedBodies::Pointer SharedBodies::find_or_make_solid(const spatial::SolidPart& part,

@@ -32,6 +32,7 @@ class SubsystemMaker {
         is_alone_(setting.is_alone),
         drive_(setting.drive),
         placements_(calc_placements(tree)),
+        places_(find_places(tree)),
         shared_(made) {
     for (std::size_t k = 0; k < tree.beams.size(); ++k)
       beams_.push_back(made.find_or_make(tree.beams[k], nodes_of(k)));
@@ -39,7 +40,7 @@ class SubsystemMaker {
 
   /// Makes the subsystem. `loads`: by body, as the description resolves them.
   Subsystem<Space> make(std::vector<std::vector<BodyLoad<Space>>> loads) {
-    for (std::size_t j = 0; j < tree_.bodies.size(); ++j) find_children(j);
+    find_children();
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j) add_body(j);
     for (std::size_t k = 0; k < beams_.size(); ++k) add_modes(k);
     for (const spatial::TreeLoop& loop : tree_.loops) add_loop(loop);
@@ -120,25 +121,30 @@ class SubsystemMaker {
     return made.flexible() ? made.flexible()->nodes.back() : made.rigid()->centre;
   }
 
-  /// Finds the children of a body in the order of the nodes that they hang at.
-  void find_children(std::size_t j) {
-    TreeBody<Space>& made = made_.bodies.emplace_back();
-    made.parent = body(j).parent;
-    for (std::size_t c = j + 1; c < tree_.bodies.size(); ++c)
-      if (body(c).parent == static_cast<int>(j)) made.children.push_back(static_cast<int>(c));
-    std::stable_sort(made.children.begin(), made.children.end(), [this](int a, int b) {
-      return body(static_cast<std::size_t>(a)).parent_node <
-             body(static_cast<std::size_t>(b)).parent_node;
-    });
+  /// Finds the children of all bodies in the order of the nodes that they hang at.
+  void find_children() {
+    made_.bodies.resize(tree_.bodies.size());
+    for (std::size_t c = 0; c < tree_.bodies.size(); ++c) {
+      const int parent = made_.bodies[c].parent = body(c).parent;
+      if (parent >= 0)
+        made_.bodies[static_cast<std::size_t>(parent)].children.push_back(static_cast<int>(c));
+    }
+    for (TreeBody<Space>& made : made_.bodies)
+      std::stable_sort(made.children.begin(), made.children.end(), [this](int a, int b) {
+        return body(static_cast<std::size_t>(a)).parent_node <
+               body(static_cast<std::size_t>(b)).parent_node;
+      });
   }
 
-  /// Returns the places of loops on a body. They have the handles behind those of its children.
-  std::vector<const spatial::TreePlace*> places_on(std::size_t j) const {
-    std::vector<const spatial::TreePlace*> places;
-    for (const spatial::TreeLoop& loop : tree_.loops)
+  using Places = std::vector<const spatial::TreePlace*>;
+
+  /// Returns the places of loops by body.
+  static std::vector<Places> find_places(const spatial::Tree& tree) {
+    std::vector<Places> places(tree.bodies.size());
+    for (const spatial::TreeLoop& loop : tree.loops)
       for (const spatial::TreePlace* place : {&loop.from, &loop.to})
-        if (place->carrier == LoopPlace::Carrier::body && place->body == static_cast<int>(j))
-          places.push_back(place);
+        if (place->carrier == LoopPlace::Carrier::body)
+          places[static_cast<std::size_t>(place->body)].push_back(place);
     return places;
   }
 
@@ -153,7 +159,7 @@ class SubsystemMaker {
       return made;
     }
     const auto j = static_cast<std::size_t>(place.body);
-    const std::vector<const spatial::TreePlace*> places = places_on(j);
+    const Places& places = places_[j];
     made.body = place.body;
     made.handle =
         static_cast<int>(made_.bodies[j].children.size()) + 1 +
@@ -179,7 +185,7 @@ class SubsystemMaker {
     std::vector<int> handles{0};
     for (const int c : made_.bodies[j].children)
       handles.push_back(static_cast<int>(body(static_cast<std::size_t>(c)).parent_node));
-    for (const spatial::TreePlace* place : places_on(j))
+    for (const spatial::TreePlace* place : places_[j])
       handles.push_back(static_cast<int>(place->node));
     return handles;
   }
@@ -187,8 +193,11 @@ class SubsystemMaker {
   void add_body(std::size_t j) {
     TreeBody<Space>& made = made_.bodies[j];
     if (const spatial::FlexibleBody* part = flexible(j)) {
-      made.body = shared_.find_or_make_body(beams_[part->beam].beam, part->nodes,
-                                            tree_.beams[part->beam].reference_frame, handles_of(j));
+      const SharedBodies::PlacedBody placed =
+          shared_.find_or_make_body(beams_[part->beam].beam, part->nodes,
+                                    tree_.beams[part->beam].reference_frame, handles_of(j));
+      made.body = placed.body;
+      made.begin = placed.begin;
       return;
     }
     if (const spatial::SolidPart* part = solid(j)) {
@@ -200,7 +209,7 @@ class SubsystemMaker {
         rigid.mass, rigid.center, rigid.inertia, {}, body(j).is_hub && !is_alone_};
     for (const int c : made.children)
       shape.outboard.emplace_back(body(static_cast<std::size_t>(c)).placement.position);
-    for (const spatial::TreePlace* place : places_on(j))
+    for (const spatial::TreePlace* place : places_[j])
       shape.outboard.emplace_back(place->placement.position);
     made.body = std::make_shared<const space::Body>(space::Body{std::move(shape), nullptr});
   }
@@ -422,6 +431,8 @@ class SubsystemMaker {
   Drive drive_;
   /// Placements of bodies in the frame of the description's hub.
   std::vector<Placement> placements_;
+  /// Places of loops by body. They have the handles behind those of its children.
+  std::vector<Places> places_;
   SharedBodies& shared_;
   std::vector<SharedBodies::MadeBeam> beams_;  ///< beams of the tree
   Subsystem<Space> made_;

@@ -238,12 +238,12 @@ std::shared_ptr<const BladeAirModel> make_blade_air(const spatial::Blade& blade,
   BladeAirModel made{*blade.aerodynamics, air, blades, hub_radius, hub_radius, {}, {}};
   made.tip_radius += blade.beam.length * std::cos(blade.precone);
   for (const double station : blade.aerodynamics->station) {
-    int body = 0;
-    while (std::cmp_less(body + 1, subsystem.bodies.size()) &&
-           subsystem.bodies[static_cast<std::size_t>(body)].body->flexible()->stations.back() <
-               station)
-      ++body;
-    made.places.push_back({body, station});
+    std::size_t j = 0;
+    const auto own = [&] { return station - subsystem.bodies[j].begin; };
+    while (j + 1 < subsystem.bodies.size() &&
+           subsystem.bodies[j].body->flexible()->stations.back() < own())
+      ++j;
+    made.places.push_back({static_cast<int>(j), own()});
   }
   made.polars =
       alike ? alike->polars : air::make_polars(made.aerodynamics, *air, made.aerodynamics.station);

@@ -29,6 +29,9 @@ struct TreeBody {
   std::vector<int> children;
   typename World::Joint joint;  ///< joint that carries it
   std::shared_ptr<const typename World::Body> body;
+  /// Station on its beam less that on the body, whose stations may begin at 0 wherever it is; in
+  /// space [m].
+  double begin = 0.0;
   typename World::Stiffening stiffening;
   std::vector<BodyLoad<World>> loads;
   std::vector<BodyDrag<World>> drags;

@@ -38,13 +38,13 @@ Eigen::VectorXd bend(const TestBody& test, double moment, double force) {
   constexpr int kSteps = 5, kIterations = 8;
   for (int step = 1; step <= kSteps; ++step)
     for (int k = 0; k < kIterations; ++k) {
-      Eigen::VectorXd nodal = still, forces = still, rest(q.size());
+      Eigen::VectorXd nodal = still, forces = still, rest(q.size()), scratch(3 * kElements);
       expand(body, q.data(), nodal.data());
       const NodalMotion at{nodal.data(), still.data()};
-      subtract_strain_forces(body, 0.0, at, at, test.work, forces.data());
+      subtract_strain_forces(body, 0.0, at, at, scratch.data(), forces.data());
       compress(body, forces.data(), rest.data());
       rest += load * step / kSteps;
-      const Eigen::MatrixXd K = calc_strain_matrices(body, 0.0, nodal.data(), test.work).stiffness;
+      const Eigen::MatrixXd K = calc_strain_matrices(body, 0.0, nodal.data()).stiffness;
       q += K.partialPivLu().solve(rest);
     }
   CHECK(q[body.coordinate(kElements, 5)] > 0.9 * moment);
@@ -93,8 +93,7 @@ TEST_CASE(
       Eigen::VectorXd nodal(kTwist * body.node_count());
       expand(body, q.data(), nodal.data());
       const Eigen::MatrixXd right =
-          to_dense(body, body.M) +
-          gain * calc_strain_matrices(body, 0.0, nodal.data(), test->work).stiffness;
+          to_dense(body, body.M) + gain * calc_strain_matrices(body, 0.0, nodal.data()).stiffness;
       // What a pass leaves of an error: what places along the elements have of psi, and the shift
       // of masses, remain.
       const Eigen::MatrixXd left =

@@ -29,7 +29,8 @@ Eigen::VectorXd by_node(const FlexibleBody& body, const Eigen::VectorXd& flex) {
 }
 
 double calc_energy(const TestBody& test, const Eigen::VectorXd& q) {
-  return calc_nonlinear_energy(test.body, by_node(test.body, q).data(), test.work);
+  Eigen::VectorXd scratch(3 * test.body.elements);
+  return calc_nonlinear_energy(test.body, by_node(test.body, q).data(), scratch.data());
 }
 
 /// Returns the derivative of a function of a step, to fourth order.
@@ -56,8 +57,9 @@ Eigen::VectorXd strain_force(const TestBody& test, const Eigen::VectorXd& q,
   const FlexibleBody& body = test.body;
   const Eigen::VectorXd q_nodal = by_node(body, q), v_nodal = by_node(body, v);
   Eigen::VectorXd force = Eigen::VectorXd::Zero(q_nodal.size()), flex(body.coordinates());
+  Eigen::VectorXd scratch(3 * body.elements);
   const NodalMotion at{q_nodal.data(), v_nodal.data()};
-  subtract_strain_forces(body, test.damping.stiffness_factor, at, at, test.work, force.data());
+  subtract_strain_forces(body, test.damping.stiffness_factor, at, at, scratch.data(), force.data());
   compress(body, force.data(), flex.data());
   return flex;
 }
@@ -97,8 +99,7 @@ TEST_CASE("the stiffness of second-order strains is the slope of their forces") 
   for_bodies([](TestBody& test) {
     const Eigen::VectorXd none = Eigen::VectorXd::Zero(test.q.size());
     const Eigen::VectorXd nodal = by_node(test.body, test.q);
-    const Eigen::MatrixXd K =
-        calc_strain_matrices(test.body, 0.0, nodal.data(), test.work).stiffness;
+    const Eigen::MatrixXd K = calc_strain_matrices(test.body, 0.0, nodal.data()).stiffness;
     for (Eigen::Index i = 0; i < test.q.size(); ++i) {
       const Eigen::VectorXd column = differ(1e-3, [&](double step) -> Eigen::VectorXd {
         Eigen::VectorXd moved = test.q;
@@ -118,14 +119,14 @@ TEST_CASE("damping acts on strain rates, and takes the power of its force") {
     const Eigen::VectorXd force =
         strain_force(test, test.q, test.v) - strain_force(test, test.q, none);
     const Eigen::VectorXd q = by_node(body, test.q), v = by_node(body, test.v);
-    Eigen::VectorXd unused = Eigen::VectorXd::Zero(q.size());
+    Eigen::VectorXd unused = Eigen::VectorXd::Zero(q.size()), scratch(3 * body.elements);
     const NodalMotion at{q.data(), v.data()};
     const double power = subtract_strain_forces(body, test.damping.stiffness_factor, at, at,
-                                                test.work, unused.data());
+                                                scratch.data(), unused.data());
     CHECK(power > 0.0);
     CHECK(power == doctest::Approx(-force.dot(test.v)).epsilon(1e-10));
     const Eigen::MatrixXd D =
-        calc_strain_matrices(body, test.damping.stiffness_factor, q.data(), test.work).damping;
+        calc_strain_matrices(body, test.damping.stiffness_factor, q.data()).damping;
     CHECK((force + D * test.v).lpNorm<Eigen::Infinity>() < 1e-10 * force.lpNorm<Eigen::Infinity>());
   });
 }
@@ -142,9 +143,10 @@ TEST_CASE("a turn of all nodes about the first costs no energy") {
       const Position& s = body.nodes[static_cast<std::size_t>(k)];
       q.segment<kTwist>(kTwist * k) << R * s - s, turn;
     }
-    CHECK(calc_nonlinear_energy(body, q.data(), test->work) < 1e-20);
+    Eigen::VectorXd scratch(3 * body.elements);
+    CHECK(calc_nonlinear_energy(body, q.data(), scratch.data()) < 1e-20);
     std::vector<Twist> wrenches(4);
-    calc_strain_wrenches(body, q.data(), test->work.slots, wrenches.data());
+    calc_strain_wrenches(body, q.data(), scratch.data(), wrenches.data());
     CHECK(wrenches[0].norm() < 1e-9);
   }
 }

@@ -21,5 +21,40 @@ TEST_CASE("equal blades in space share their bodies, and other blades do not") {
     CHECK(first[j].body == equal[j].body);
     CHECK(first[j].body != other[j].body);
   }
-  CHECK(first[0].body != first[1].body);
+}
+
+TEST_CASE("equal parts of a uniform blade share their bodies, wherever they are") {
+  // Their lengths differ by round-off: 8 m times (j + 1)/7 less 8 m times j/7.
+  Scenario scenario = read_scenario(std::string(SPOKE_MODELS_DIR) + "/spatial_wu_haug.toml",
+                                    {"blade.count=1", "blade.bodies=7"});
+  const auto make = [&scenario] { return make_system(*scenario.space).subsystems[0].bodies; };
+  const auto bodies = make();
+  REQUIRE(bodies.size() == 7);
+  for (std::size_t j = 0; j < bodies.size(); ++j) {
+    const space::FlexibleBody& body = *bodies[j].body->flexible();
+    CHECK(body.stations.front() == 0.0);
+    CHECK(bodies[j].begin == doctest::Approx(8.0 * static_cast<double>(j) / 7.0));
+    CHECK(body.length() == doctest::Approx(8.0 / 7.0).epsilon(1e-14));
+    if (j + 1 < bodies.size()) CHECK(bodies[j].body == bodies[0].body);
+  }
+  CHECK(bodies[6].body != bodies[0].body);  // it carries none
+
+  SUBCASE("but for one with a small mass") {
+    scenario.space->blades[0].beam.point_masses.push_back({2.5 * 8.0 / 7.0, 0.1});
+    const auto heavier = make();
+    CHECK(heavier[0].body == heavier[1].body);
+    CHECK(heavier[2].body != heavier[1].body);
+    CHECK(heavier[3].body == heavier[1].body);
+    CHECK(heavier[2].begin + heavier[2].body->flexible()->stations.front() ==
+          doctest::Approx(16.0 / 7.0));
+  }
+  SUBCASE("but for those where sections change") {
+    spatial::Sections& sections = scenario.space->blades[0].beam.sections;
+    REQUIRE(sections.station.size() == 2);
+    sections.twist = {0.0, 0.1};
+    const auto twisted = make();
+    CHECK(twisted[0].body != twisted[1].body);
+    CHECK(twisted[1].begin == 0.0);
+    CHECK(twisted[1].body->flexible()->stations.front() == doctest::Approx(8.0 / 7.0));
+  }
 }
