@@ -3,6 +3,7 @@
 #include "engine/integrator/foresight.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace spoke {
@@ -16,9 +17,11 @@ double other_order(double order) { return order == kMostOrder ? 2.0 : kMostOrder
 
 }  // namespace
 
-int choose_order(const IterationMemory& memory) noexcept {
+int choose_order(int highest, const IterationMemory& memory) noexcept {
+  assert(highest >= 1 && highest <= static_cast<int>(kMostOrder));
   const double order = is_trial(memory) ? other_order(memory.order) : memory.order;
-  return static_cast<int>(std::clamp(std::min(order, memory.known), 1.0, kMostOrder));
+  return std::min(highest,
+                  static_cast<int>(std::clamp(std::min(order, memory.known), 1.0, kMostOrder)));
 }
 
 void learn_order(double first_change, StepProgress& progress) noexcept {

@@ -15,8 +15,8 @@
 
 namespace spoke {
 
-/// Returns the order of the prediction of the next step (PassControl).
-int choose_order(const IterationMemory& memory) noexcept;
+/// Returns the order of the prediction of the next step (PassControl), `highest` at most, 1 to 3.
+int choose_order(int highest, const IterationMemory& memory) noexcept;
 
 /// Takes the first change of a step, which tells how good its prediction was.
 void learn_order(double first_change, StepProgress& progress) noexcept;

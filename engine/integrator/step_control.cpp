@@ -185,7 +185,7 @@ void begin_step(const Integrator& integrator, std::int64_t step, StepProgress& p
   progress.contraction = 0.0;
   progress.error = {};
   progress.share_before = progress.control.relaxation = 1.0;
-  progress.control.order = choose_order(progress.remembered);
+  progress.control.order = choose_order(integrator.limits.highest_order, progress.remembered);
   set_stage(integrator, as_rk4(integrator) ? 1 : 0, progress);
 }
 

@@ -21,6 +21,9 @@ struct IterationLimits {
   /// only tells which changes are small anyway, and which may be round-off.
   bool follows_error = false;
   double most_left = std::numeric_limits<double>::infinity();  ///< besides [m, rad]
+  /// Most accelerations that a prediction goes on from, 1 to 3. Where wakes are those of predicted
+  /// motions, three feed back what vibrations swing by: 2.
+  int highest_order = 3;
   /// A last change beyond this, or a share of one, leaves closed loops open: openings that are left
   /// go with its square.
   double closing = std::numeric_limits<double>::infinity();

@@ -65,6 +65,7 @@ IterationLimits make_limits(const Scenario& scenario) {
   const Integration& integration = scenario.integration;
   IterationLimits limits{integration.tolerance, integration.iterations, integration.max_iterations,
                          scenario.space.has_value(), goal_of(integration) == IterationGoal::error};
+  if (scenario.space && scenario.space->air) limits.highest_order = 2;
   if (integration.tolerance != Integration{}.tolerance) limits.most_left = integration.tolerance;
   return limits;
 }

@@ -62,7 +62,9 @@ space::Twist calc_motion(const System<Space>& system, std::size_t i, const StepD
                          double t, const Reading<Space>& asked) {
   const Subsystem<Space>& subsystem = system.subsystems[i];
   const SubsystemData<Space>& own = data.subsystems[i];
-  const space::Twist hub_acceleration = calc_hub_acceleration(system, i, data, t);
+  const space::Twist hub_acceleration = is_accelerated(asked)
+                                            ? calc_hub_acceleration(system, i, data, t)
+                                            : space::Twist(space::Twist::Zero());
   const SpatialMotion m = calc_shown_motion(subsystem, own, hub_acceleration, asked);
   if (asked.frame == SensorFrame::inertial)
     return calc_inertial(asked.quantity, m, asked.rest, calc_start(system, subsystem), *own.hub,

@@ -185,7 +185,7 @@ SpatialMotion calc_shown_motion(const Subsystem<Space>& subsystem, const Subsyst
   SpatialMotion shown;
   SpatialMotion short_of;  // foreshortening, with the other sign
   std::size_t passed = 0;
-  walk(subsystem, data, hub_acceleration, reading.path, [&](std::size_t j, const space::Twist& X) {
+  const auto add = [&](std::size_t j, const space::Twist& X) {
     const BodyData<Space>& body = data.bodies[j];
     const std::size_t next = ++passed;
     const bool is_last = static_cast<int>(j) == reading.body();
@@ -204,7 +204,11 @@ SpatialMotion calc_shown_motion(const Subsystem<Space>& subsystem, const Subsyst
     }
     shorten(body, is_last ? reading.section : tip_of(*body.model->body->flexible()), frame,
             short_of);
-  });
+  };
+  if (is_accelerated(reading))
+    walk(subsystem, data, hub_acceleration, reading.path, add);
+  else
+    for (const int j : reading.path) add(static_cast<std::size_t>(j), space::Twist::Zero());
   shown.p += short_of.p;
   shown.v += short_of.v;
   shown.a += short_of.a;

@@ -38,8 +38,13 @@ space::Twist calc_frame_acceleration(const Subsystem<Space>& subsystem,
                                      const space::Twist& hub_acceleration,
                                      const std::vector<int>& path) noexcept;
 
+/// Whether a reading shows accelerations, which are found from the hub outward along its path.
+inline bool is_accelerated(const Reading<Space>& reading) {
+  return reading.quantity == SensorQuantity::acceleration;
+}
+
 /// Returns the motion of a section as a sensor shows it: bodies with geometric stiffening are
-/// foreshortened.
+/// foreshortened. Accelerations, and the hub's, count only where the reading is_accelerated().
 SpatialMotion calc_shown_motion(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
                                 const space::Twist& hub_acceleration,
                                 const Reading<Space>& reading) noexcept;

@@ -10,6 +10,7 @@
 #include "engine/kernels/readings.h"
 #include "engine/kernels/samples.h"
 #include "engine/space/joint_values.h"
+#include "engine/space/relative_motion.h"
 #include "engine/space/supported_rotor.h"
 #include "engine/step/control_nodes.h"
 #include "engine/step/pass_integration.h"
@@ -64,7 +65,7 @@ PartList reading_inputs(const Assembly<Space>& g, int i) {
   for (const Reading<Space>& reading : g.c.data.subsystems[i].readings) {
     const bool is_load = reading.quantity == SensorQuantity::section_force && !reading.is_root();
     if (is_load) add(loads_on(g, i, reading.body()));
-    if (!is_load && !is_motion(reading.quantity)) continue;
+    if (!is_load && !is_accelerated(reading)) continue;
     for (const int j : reading.path)
       inputs.push_back(g.subsystem(i).bodies[static_cast<std::size_t>(j)].accelerations);
     if (g.c.data.is_coupled && g.c.system.subsystems[i].rotor < 0)

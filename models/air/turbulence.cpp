@@ -55,7 +55,7 @@ class FourierComponent {
   void write(double deviation, std::size_t component, InverseFourier& fourier, WindBox& box) {
     for (EightSeries& group : groups_) {
       // The mean, and the frequency of two steps, whose phase is not free.
-      group.places.front() = group.places[box.n_t / 2] = {};
+      group.places.front() = group.places[box.n_t / 2] = EightSeries::Place{};
       fourier.transform(group);
     }
     const auto factor = static_cast<float>(deviation / std::sqrt(calc_center_variance(box)));
