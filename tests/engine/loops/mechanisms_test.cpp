@@ -90,7 +90,9 @@ TEST_CASE("the N-four-bar through its singular positions: order 2") {
 }
 
 TEST_CASE("ten four-bars in a row stay closed through their singular positions") {
-  Run<Space> run(make_system(make_four_bars(10)), {make_generalized_alpha(0.9, 0.005)});
+  // Where all bars lie in one line, round-off alone changes coordinates by 1e-12.
+  Run<Space> run(make_system(make_four_bars(10)),
+                 {.method = make_generalized_alpha(0.9, 0.005), .tolerance = 1e-11});
   run.advance_for(2.0);
   CHECK(opening_of(run) < 1e-12);
 }
