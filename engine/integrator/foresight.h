@@ -2,14 +2,15 @@
 
 // What the steps before tell the iteration of the next (generalized_alpha).
 //
-// A step that begins near its solution, and whose iteration contracts fast, has made its first pass
-// only to confirm it. So a step remembers the contraction that the ones before have seen: the first
-// change times that, with a margin, is what it leaves. Predictions go on from the accelerations of
-// two or three steps (PassControl::order): smooth motion is foretold better by three, vibrations
-// that the step does not resolve and that swing from one step to the next, by two; by one, the
-// error is large in what contracts fast, and hides what does not. Every eighth step is a trial: it
-// measures the contraction anew, and predicts by the other order, which is taken if it foretells
-// better. All of it is part of the state, so that resumed simulations keep their bits.
+// A step that begins near its solution, and whose iteration contracts fast, makes its second pass
+// only to confirm the first. So a step remembers the contraction that the ones before have seen:
+// the first change times that, with a margin, is what it leaves. Predictions go on from the
+// accelerations of two or three steps (PassControl::order): smooth motion is foretold better by
+// three, vibrations that the step does not resolve and that swing from one step to the next, by
+// two; by one, the error is large in what contracts fast, and hides what does not. Every eighth
+// step is a trial: it measures the contraction anew, and predicts by the other order, which is
+// taken if it foretells better. All of it is part of the state, so that resumed simulations keep
+// their bits.
 
 #include "engine/table/step_progress.h"
 

@@ -85,10 +85,11 @@ bool leaves_little(const PassReport& report, const StepProgress& progress) {
   return r * report.change <= (1.0 - r) * progress.tolerance;
 }
 
-/// Whether a change is small by itself, and not by its own step alone.
+/// Whether a change is small by itself, and not by its own step alone; a first one within the
+/// tolerance is, whatever the limits.
 bool is_small_change(const IterationLimits& limits, double change, const StepProgress& progress) {
-  if (!limits.follows_error || progress.passes == 1)
-    if (change <= progress.tolerance) return true;
+  const bool asks_tolerance_alone = !limits.follows_error || progress.passes == 1;
+  if (asks_tolerance_alone && change <= progress.tolerance) return true;
   if (!limits.follows_error) return false;
   constexpr double kShare = 0.1;
   return change <=
