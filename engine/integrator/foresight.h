@@ -8,9 +8,9 @@
 // accelerations of two or three steps (PassControl::order): smooth motion is foretold better by
 // three, vibrations that the step does not resolve and that swing from one step to the next, by
 // two; by one, the error is large in what contracts fast, and hides what does not. Every eighth
-// step is a trial: it measures the contraction anew, and predicts by the other order, which is
-// taken if it foretells better. All of it is part of the state, so that resumed simulations keep
-// their bits.
+// step measures the contraction anew. It also predicts by the other order, which is taken if it
+// foretells better; each trial of the order that gains nothing doubles the steps to the next, to 64
+// at most. All of it is part of the state, so that resumed simulations keep their bits.
 
 #include "engine/table/step_progress.h"
 

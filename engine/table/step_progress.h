@@ -98,12 +98,15 @@ struct PassReport {
 
 /// What the steps before tell the iteration of the next. Part of saved states, which hold doubles.
 struct IterationMemory {
+  static constexpr double kRound = 8.0;  ///< steps from one trial to the next, at least
+
   double usual_change = 0.0;  ///< largest step change of the last steps, fading [m, rad]
   double contraction = 0.0;   ///< largest of the last steps that have seen one, fading; 0: none has
   double known = 1.0;         ///< accelerations that are known since a restart, to 3
   double order = 2.0;         ///< see PassControl
   double first_change = 0.0;  ///< first change of the last step that took it [m, rad]
-  double turn = 0.0;          ///< place of the next step in a round of trials, see foresight.h
+  double order_every = kRound;  ///< steps from one trial of the order to the next
+  double turn = 0.0;            ///< place of the next step among those, see foresight.h
 };
 
 /// Where a subsystem, or a coupled system, stands, and what it needs to turn the end of a pass into
