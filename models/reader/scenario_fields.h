@@ -11,12 +11,10 @@
 #include <vector>
 
 #include "models/scenario.h"
+#include "models/support/key_row.h"
 #include "models/support/quantity.h"
 
 namespace spoke {
-
-/// Whether a file must give a value; code always does.
-enum class Presence { required, optional };
 
 /// Whether the motion of a hub, in the plane or in space, is an unknown of the model.
 template <class H>

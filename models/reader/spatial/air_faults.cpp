@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "models/air/airfoil_check.h"
+#include "models/reader/keys/air_keys.h"
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/wind_reader.h"
 #include "models/support/nearest_name.h"
@@ -77,12 +78,8 @@ Fault find_fault(const BladeAerodynamics& aerodynamics, double length) {
 
 Fault find_fault(const Air& air, const Model& model) {
   const FirstFault first;
-  visit_fields(air, [&](std::string_view key, double value, const Quantity& quantity, Presence) {
-    first("air." + std::string(key), value, quantity);
-  });
-  visit_inflow(air, [&](std::string_view key, double value, const Quantity& quantity, Presence) {
-    first("aerodynamics." + std::string(key), value, quantity);
-  });
+  find_range_faults("air.", keys::kAirRows, air, first);
+  find_range_faults("aerodynamics.", keys::kAerodynamicsRows, air, first);
   first.add(find_fault(air.wind).within("wind"));
   std::vector<std::string_view> names;
   for (std::size_t k = 0; k < air.airfoils.size(); ++k) {

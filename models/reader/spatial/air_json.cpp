@@ -5,7 +5,9 @@
 #include <string>
 #include <utility>
 
-#include "models/reader/spatial/field_writer.h"
+#include "models/reader/keys/air_keys.h"
+#include "models/reader/row_reader.h"
+#include "models/reader/spatial/spatial_fields.h"
 #include "models/reader/spatial/wind_json.h"
 
 namespace spoke::spatial {
@@ -38,13 +40,12 @@ Json aerodynamics_to_json(const BladeAerodynamics& aerodynamics) {
 
 void add_air(const Air& air, Json& json) {
   Json medium;
-  visit_fields(air, FieldWriter{medium});
+  keys::write(keys::kAirRows, &air, medium);
   json.set("air", std::move(medium));
   json.set("wind", wind_to_json(air.wind));
-  Json aerodynamics = {{"induction", name_of(air.induction)},
-                       {"inflow", name_of(air.inflow)},
-                       {"stall", name_of(air.stall)}};
-  visit_inflow(air, FieldWriter{aerodynamics});
+  Json aerodynamics;
+  keys::write_words(keys::kAerodynamicsRows, &air, aerodynamics);
+  keys::write_numbers(keys::kAerodynamicsRows, &air, aerodynamics);
   json.set("aerodynamics", std::move(aerodynamics));
   for (const Airfoil& airfoil : air.airfoils) {
     Json table = {{"name", airfoil.name}};

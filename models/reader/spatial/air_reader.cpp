@@ -7,7 +7,8 @@
 #include <utility>
 
 #include "models/air/airfoil_reader.h"
-#include "models/reader/field_reader.h"
+#include "models/reader/keys/air_keys.h"
+#include "models/reader/row_reader.h"
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/wind_reader.h"
 #include "models/spatial_model.h"
@@ -147,15 +148,10 @@ std::optional<Air> read_air(const TomlSection& root, const std::string& folder,
     return std::nullopt;
   }
   Air air;
-  visit_fields(air, FieldReader{root.section("air", {"density", "viscosity"})});
+  keys::read(root.section("air", keys::keys_of(keys::kAirRows)), keys::kAirRows, &air);
   if (root.has("wind")) air.wind = read_wind(root.section("wind", wind_keys()), folder);
-  const TomlSection section =
-      root.section("aerodynamics", {"induction", "inflow", "inflow_factor", "stall"});
-  air.induction =
-      section.choice("induction", {Induction::momentum, Induction::none}, air.induction);
-  air.inflow = section.choice("inflow", {Inflow::dynamic, Inflow::quasi_steady}, air.inflow);
-  visit_inflow(air, FieldReader{section});
-  air.stall = section.choice("stall", {Stall::dynamic, Stall::steady}, air.stall);
+  keys::read(root.section("aerodynamics", keys::keys_of(keys::kAerodynamicsRows)),
+             keys::kAerodynamicsRows, &air);
   for (const TomlSection& table : root.sections(
            "airfoil", {"name", "file", "polar", "reynolds", "angle", "lift", "drag", "moment"}))
     air.airfoils.push_back(read_airfoil(table, folder));

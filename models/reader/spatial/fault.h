@@ -46,6 +46,17 @@ class FirstFault {
   mutable Fault fault_;  // mutable, since visitors are constant
 };
 
+/// Finds numbers of a structure outside of their range, by the rows of its keys, seen from a path
+/// that ends in a dot.
+template <class S>
+void find_range_faults(const std::string& path, keys::Rows rows, const S& of,
+                       const FirstFault& first) {
+  keys::visit_numbers<Vector>(
+      rows, of, [&](std::string_view key, const auto& value, const auto& range, Presence presence) {
+        first(path + std::string(key), value, range, presence);
+      });
+}
+
 /// Finds a direction of length zero.
 Fault find_direction_fault(const std::string& key, const Vector& direction);
 /// Finds a fault of an inertia tensor about the centre of mass. A body of its own needs a regular

@@ -250,18 +250,6 @@ void visit_fields(L& load, const Visit& visit) {
 inline constexpr Quantity kReynolds = Quantity::not_negative("");
 inline constexpr Quantity kCoefficient = Quantity::any("");
 
-template <PerhapsConst<Air> A, class Visit>
-void visit_fields(A& air, const Visit& visit) {
-  visit("density", air.density, Quantity::positive("kg/m^3"), Presence::optional);
-  visit("viscosity", air.viscosity, Quantity::positive("m^2/s"), Presence::optional);
-}
-
-/// Visits the numbers of [aerodynamics].
-template <PerhapsConst<Air> A, class Visit>
-void visit_inflow(A& air, const Visit& visit) {
-  visit("inflow_factor", air.inflow_factor, Quantity::between(1.0, 2.0), Presence::optional);
-}
-
 /// Visits the arrays of a blade's aerodynamics that hold a number for each station.
 template <PerhapsConst<BladeAerodynamics> A, class Visit>
 void visit_stations(A& aerodynamics, const Visit& visit) {
