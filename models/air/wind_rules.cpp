@@ -23,11 +23,11 @@ class FirstWindFault {
     if (!fault_ && !text.empty()) fault_ = {within_ + std::string(key), text};
   }
   void operator()(std::string_view key, double value, const Quantity& range,
-                  Given = Given::always) const {
+                  Presence = Presence::required) const {
     const std::string expected = range.expectation_instead_of(value);
     if (!expected.empty()) add(key, "is " + describe(value) + ", expected " + expected);
   }
-  void operator()(std::string_view key, int value, const Count& range, Given) const {
+  void operator()(std::string_view key, int value, const Count& range, Presence) const {
     if (!range.holds(value))
       add(key, "is " + std::to_string(value) + ", expected " + range.expectation());
   }
@@ -118,15 +118,15 @@ WindFault find_box_fault(const WindTurbulence& turbulence, double reference_heig
 
 WindFault find_fault(const WindTurbulence& turbulence) {
   const FirstWindFault first("turbulence.");
-  visit_fields(turbulence, first);
+  keys::visit_numbers<void>(keys::kTurbulenceRows, turbulence, first);
   if (turbulence.length_scale) first("length_scale", *turbulence.length_scale, kTurbulenceScale);
   first.numbers("deviation_ratio", turbulence.deviation_ratio, kDeviationRatio);
   if (turbulence.deviation_ratio[0] != 1.0)
     first.add("deviation_ratio.1", "is " + describe(turbulence.deviation_ratio[0]) +
                                        ", expected 1: the others are over that along the wind");
   if (turbulence.height) first("height", *turbulence.height, kBoxHeight);
-  first("points.1", turbulence.points[0], kBoxPoints, Given::perhaps);
-  first("points.2", turbulence.points[1], kBoxPoints, Given::perhaps);
+  first("points.1", turbulence.points[0], kBoxPoints, Presence::optional);
+  first("points.2", turbulence.points[1], kBoxPoints, Presence::optional);
   return first.found();
 }
 
@@ -147,7 +147,7 @@ WindFault find_number_fault(const Wind& wind) {
   first("ground", wind.ground, kGround);
   if (first.found() || !wind.gust) return first.found();
   const FirstWindFault of_gust("gust.");
-  visit_fields(*wind.gust, of_gust);
+  keys::visit_numbers<void>(keys::kGustRows, *wind.gust, of_gust);
   return of_gust.found();
 }
 

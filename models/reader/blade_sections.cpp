@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "models/reader/field_reader.h"
+#include "models/reader/row_reader.h"
+#include "models/reader/scenario_fields.h"
 
 namespace spoke {
 namespace {
@@ -19,8 +20,7 @@ bool has_material(const TomlSection& section) {
 }
 
 TomlSection sections_of(const TomlSection& blade) {
-  return blade.section("sections",
-                       {"station", "mass_per_length", "axial_stiffness", "bending_stiffness"});
+  return blade.section("sections", keys::keys_of(keys::kBladeSectionsRows));
 }
 
 }  // namespace
@@ -56,22 +56,17 @@ void check_sections(const TomlSection& section, const Blade& blade) {
   if (!fault.key.empty()) sections_of(section).fail(fault.key, fault.text);
 }
 
-BeamStrain read_strain(const TomlSection& beam) {
-  return beam.choice("strain", {BeamStrain::automatic, BeamStrain::linear, BeamStrain::nonlinear},
-                     BeamStrain::automatic);
-}
-
 std::vector<PointMass> read_point_masses(const TomlSection& section, const Blade& blade) {
   std::vector<PointMass> points;
   const std::vector<TomlSection> tables =
-      section.sections("point_mass", {"position", "mass", "inertia"});
+      section.sections("point_mass", keys::keys_of(keys::kPointMassRows));
   if (tables.size() > kMostPointMasses)
     section.fail("point_mass", "are " + std::to_string(tables.size()) +
                                    " tables, expected at most " + std::to_string(kMostPointMasses));
   for (const TomlSection& table : tables) {
     PointMass point;
     point.position = table.number("position", place_on(blade));
-    visit_fields(point, FieldReader{table});
+    keys::read(table, keys::kPointMassRows, &point);
     points.push_back(point);
   }
   return points;

@@ -23,9 +23,6 @@ BladeSections read_sections(const TomlSection& blade);
 /// Throws InputError, at the key in `section`, if the sections do not fit one another or the blade.
 void check_sections(const TomlSection& section, const Blade& blade);
 
-/// Reads the key "strain" of a beam's table.
-BeamStrain read_strain(const TomlSection& beam);
-
 /// Reads the tables "point_mass" of a blade's table.
 std::vector<PointMass> read_point_masses(const TomlSection& section, const Blade& blade);
 

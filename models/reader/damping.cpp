@@ -8,14 +8,12 @@
 #include <utility>
 #include <variant>
 
-#include "models/reader/field_reader.h"
+#include "models/reader/row_reader.h"
+#include "models/reader/scenario_fields.h"
 
 namespace spoke {
 namespace {
 
-constexpr Quantity kFactorOfStiffness = Quantity::not_negative("s");
-/// A greater ratio is no vibration; below it the iteration of implicit steps contracts.
-constexpr Quantity kRatio{"", 0.0, 1.0, true, false};
 constexpr std::size_t kBeamDynFactors = 6;
 
 /// Calls visit(key, factor, whether the plane has it); shear factors are optional.
@@ -76,8 +74,8 @@ DirectionDamping read_directions(const TomlSection& section, const DampedBeams& 
 
 ModeDamping read_modes(const TomlSection& section) {
   ModeDamping damping;
-  if (section.has("ratios")) damping.ratios = section.numbers("ratios", kRatio);
-  if (section.has("above")) damping.above = section.number("above", kRatio);
+  if (section.has("ratios")) damping.ratios = section.numbers("ratios", kDampingRatioOfBeams);
+  if (section.has("above")) damping.above = section.number("above", kDampingRatioOfBeams);
   return damping;
 }
 
@@ -97,12 +95,12 @@ DampingFault find_fault(const DirectionDamping& damping, const DampedBeams& beam
 
 DampingFault find_fault(const ModeDamping& damping, const DampedBeams& beams) {
   for (std::size_t k = 0; k < damping.ratios.size(); ++k)
-    if (std::string text = range_fault(damping.ratios[k], kRatio); !text.empty())
+    if (std::string text = range_fault(damping.ratios[k], kDampingRatioOfBeams); !text.empty())
       return {"ratios." + std::to_string(k + 1), text};
   if (damping.above) {
     if (damping.ratios.empty())
       return {"above", "would be ignored, expected only along with ratios"};
-    if (std::string text = range_fault(*damping.above, kRatio); !text.empty())
+    if (std::string text = range_fault(*damping.above, kDampingRatioOfBeams); !text.empty())
       return {"above", text};
   }
   if (damping.ratios.empty()) return {};
@@ -144,10 +142,9 @@ DampingFault find_damping_fault(const Damping& damping, const DampedBeams& beams
 
 Damping read_damping(const TomlSection& root, const DampedBeams& beams) {
   const TomlSection section =
-      root.section("damping", {"mass_factor", "stiffness_factor", "flap", "lag", "axial", "torsion",
-                               "flap_shear", "lag_shear", "mu", "ratios", "above"});
+      root.section("damping", keys::keys_of(keys::kDampingRows, keys::kBeamDampingRows));
   Damping damping;
-  visit_fields(damping, FieldReader{section});
+  keys::read(section, keys::kDampingRows, &damping);
   damping.directions = read_directions(section, beams);
   damping.modes = read_modes(section);
   if (const DampingFault fault = find_damping_fault(damping, beams); !fault.text.empty())

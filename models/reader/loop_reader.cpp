@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "models/reader/keys/loop_keys.h"
+#include "models/reader/row_reader.h"
 #include "models/reader/spatial/vector_reader.h"
 
 namespace spoke {
@@ -85,9 +87,7 @@ void read_point(const TomlSection& table, const LoopSurroundings& around, LoopPl
 }
 
 TomlSection::Keys place_keys(bool in_plane) {
-  TomlSection::Keys keys{"body", "anchor", "station", "point", "orientation"};
-  if (!in_plane) keys.push_back("interface");
-  return keys;
+  return in_plane ? keys::keys_of(keys::kPlaceRows) : keys::keys_of(keys::kSpacePlaceRows);
 }
 
 LoopPlace read_place(const TomlSection& section, std::string_view key,
@@ -169,7 +169,7 @@ Loop read_loop(const TomlSection& section, const LoopSurroundings& around) {
 /// Reads what moves an anchor: courses over time, or the embedding program.
 void read_motion(const TomlSection& section, bool in_plane, Anchor& anchor) {
   if (!section.has("motion")) return;
-  const TomlSection motion = section.section("motion", {"by", "translation", "rotation"});
+  const TomlSection motion = section.section("motion", keys::keys_of(keys::kAnchorMotionRows));
   const auto& place = place_shape(in_plane);
   const auto& rotation = rotation_shape(in_plane);
   if (motion.has("by")) {
@@ -191,8 +191,8 @@ void read_motion(const TomlSection& section, bool in_plane, Anchor& anchor) {
 }  // namespace
 
 std::vector<Loop> read_loops(const TomlSection& parent, const LoopSurroundings& around) {
-  TomlSection::Keys keys = {"name", "kind", "from", "to", "axis", "length", "stiffness", "damping"};
-  if (!around.in_plane) keys.push_back("axes");
+  const TomlSection::Keys keys =
+      around.in_plane ? keys::keys_of(keys::kLoopRows) : keys::keys_of(keys::kSpaceLoopRows);
   std::vector<Loop> loops;
   for (const TomlSection& section : parent.sections("loop", keys))
     loops.push_back(read_loop(section, around));
@@ -203,14 +203,11 @@ std::vector<Loop> read_loops(const TomlSection& parent, const LoopSurroundings& 
 std::vector<Anchor> read_anchors(const TomlSection& root, const std::string& mount_fault,
                                  bool in_plane) {
   std::vector<Anchor> anchors;
-  for (const TomlSection& section :
-       root.sections("anchor", {"name", "frame", "turns_with_hub", "motion"})) {
+  for (const TomlSection& section : root.sections("anchor", keys::keys_of(keys::kAnchorRows))) {
     Anchor anchor;
     if (!section.has("name")) section.fail("name", "is missing, expected a name");
     anchor.name = section.text("name", "");
-    anchor.frame =
-        section.choice("frame", {Anchor::Frame::mount, Anchor::Frame::hub}, anchor.frame);
-    anchor.turns_with_hub = section.flag("turns_with_hub", anchor.turns_with_hub);
+    keys::read(section, keys::kAnchorRows, &anchor);
     read_motion(section, in_plane, anchor);
     if (const Fault fault = find_fault(anchor, anchors, mount_fault, in_plane))
       section.fail_at(fault.path, fault.text);

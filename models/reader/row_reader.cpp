@@ -7,7 +7,7 @@
 namespace spoke::keys {
 namespace {
 
-void read_row(const TomlSection& section, const Row& row, void* to) {
+void read_present(const TomlSection& section, const Row& row, void* to) {
   switch (row.kind) {
     case Row::Kind::number:
       member_of<double>(row, to) = section.number(row.key, range_of(row, to));
@@ -24,6 +24,11 @@ void read_row(const TomlSection& section, const Row& row, void* to) {
     case Row::Kind::choice:
       row.choose(to, section.choice(row.key, words_of(row)));
       break;
+    case Row::Kind::vector: {
+      const std::vector<double> values = section.numbers(row.key, range_of(row, to), row.size);
+      std::copy(values.begin(), values.end(), &member_of<double>(row, to));
+      break;
+    }
     default:
       break;
   }
@@ -48,6 +53,11 @@ void write_row(const Row& row, const void* from, Json& json) {
     case Row::Kind::choice:
       json.set(row.key, row.word(row.chosen(from)));
       break;
+    case Row::Kind::vector: {
+      const double* const values = &member_of<double>(row, from);
+      json.set(row.key, std::vector<double>(values, values + row.size));
+      break;
+    }
     default:
       break;
   }
@@ -63,12 +73,14 @@ TomlSection::Keys keys_of(std::initializer_list<Rows> parts) {
   return keys;
 }
 
+void read_row(const TomlSection& section, const Row& row, void* to) {
+  if (!applies(row, to)) return;
+  if (presence_of(row, to) == Presence::required || section.has(row.key))
+    read_present(section, row, to);
+}
+
 void read(const TomlSection& section, Rows rows, void* to) {
-  for (const Row& row : rows) {
-    if (!applies(row, to)) continue;
-    if (presence_of(row, to) == Presence::required || section.has(row.key))
-      read_row(section, row, to);
-  }
+  for (const Row& row : rows) read_row(section, row, to);
 }
 
 void write(Rows rows, const void* from, Json& json) {
@@ -82,7 +94,7 @@ void write_words(Rows rows, const void* from, Json& json) {
 
 void write_numbers(Rows rows, const void* from, Json& json) {
   for (const Row& row : rows)
-    if (row.kind != Row::Kind::choice) write_row(row, from, json);
+    if (row.kind == Row::Kind::number || row.kind == Row::Kind::count) write_row(row, from, json);
 }
 
 }  // namespace spoke::keys

@@ -15,13 +15,16 @@ TomlSection::Keys keys_of(const Parts&... parts) {
   return keys_of({Rows(parts)...});
 }
 
-/// Reads numbers, flags and choices into a structure, in the order of the rows. Keys by hand,
-/// vectors and arrays are left to others. Throws InputError.
+/// Reads numbers, vectors, flags and choices into a structure, in the order of the rows. Keys by
+/// hand and numbers by station are left to others. Throws InputError.
 void read(const TomlSection& section, Rows rows, void* to);
+/// Reads one of them.
+void read_row(const TomlSection& section, const Row& row, void* to);
 
-/// Adds numbers, flags and choices of a structure to a JSON object, in the order of the rows.
+/// Adds numbers, vectors, flags and choices of a structure to a JSON object, in the order of the
+/// rows.
 void write(Rows rows, const void* from, Json& json);
-/// Adds those alone that are choices, or all but these.
+/// Adds those alone that are choices, or that are numbers.
 void write_words(Rows rows, const void* from, Json& json);
 void write_numbers(Rows rows, const void* from, Json& json);
 

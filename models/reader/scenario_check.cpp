@@ -38,8 +38,8 @@ void check(const std::string& key, int value, const Count& count) {
 
 template <class Fields>
 void check_fields(const std::string& path, const Fields& fields) {
-  visit_fields(fields, [&](const char* key, const auto& value, const auto& range, Presence) {
-    check(path + '.' + key, value, range);
+  visit_fields(fields, [&](std::string_view key, const auto& value, const auto& range, Presence) {
+    check(path + '.' + std::string(key), value, range);
   });
 }
 
@@ -66,9 +66,9 @@ void check_sections(const std::string& path, const Blade& blade) {
   check_unused("second_moment", blade.second_moment);
   check_unused("youngs_modulus", blade.youngs_modulus);
   check_numbers(path + ".sections.station", blade.sections.station, kStation);
-  visit_properties(blade.sections, [&](const char* key, const std::vector<double>& values,
+  visit_properties(blade.sections, [&](std::string_view key, const std::vector<double>& values,
                                        const Quantity& quantity) {
-    check_numbers(path + ".sections." + key, values, quantity);
+    check_numbers(path + ".sections." + std::string(key), values, quantity);
   });
   const SectionsFault fault = find_sections_fault(blade);
   if (!fault.key.empty()) fail(path + ".sections." + fault.key, fault.text);

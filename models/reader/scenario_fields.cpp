@@ -31,12 +31,12 @@ SectionsFault find_sections_fault(const Blade& blade) {
   if (station.size() < 2)
     return {"station", "has " + count_numbers(station.size()) + ", expected 2 or more"};
   SectionsFault fault;
-  visit_properties(blade.sections,
-                   [&](const char* key, const std::vector<double>& values, const Quantity&) {
-                     if (fault.key.empty() && values.size() != station.size())
-                       fault = {key, "has " + count_numbers(values.size()) + ", expected " +
-                                         std::to_string(station.size()) + ", one for each station"};
-                   });
+  visit_properties(blade.sections, [&](std::string_view key, const std::vector<double>& values,
+                                       const Quantity&) {
+    if (fault.key.empty() && values.size() != station.size())
+      fault = {std::string(key), "has " + count_numbers(values.size()) + ", expected " +
+                                     std::to_string(station.size()) + ", one for each station"};
+  });
   if (!fault.key.empty()) return fault;
   for (std::size_t i = 1; i < station.size(); ++i)
     if (!(station[i] > station[i - 1]))

@@ -8,8 +8,9 @@
 
 #include "models/reader/blade_choice_reader.h"
 #include "models/reader/curve_reader.h"
-#include "models/reader/field_reader.h"
 #include "models/reader/names.h"
+#include "models/reader/row_reader.h"
+#include "models/reader/scenario_fields.h"
 #include "models/scenario.h"
 
 namespace spoke {
@@ -17,10 +18,11 @@ namespace {
 
 using Blades = std::vector<Blade>;
 
-/// Adds the keys that all loads on blades have.
-TomlSection::Keys with_common_keys(TomlSection::Keys keys) {
-  keys.insert(keys.end(), {"blade", "name", "ramp", "time", "factor"});
-  return keys;
+/// Returns the keys of a load on blades.
+template <class Load>
+TomlSection::Keys keys_of_load(keys::Rows own) {
+  return keys::keys_of(own, keys::kLoadedBladeRows, keys::kLoadNameRows,
+                       keys::kLoadCourseRows<Load>);
 }
 
 Curve read_factor(const TomlSection& section) {
@@ -28,9 +30,11 @@ Curve read_factor(const TomlSection& section) {
   return read_curve(section, "time", kTime, "factor", kFactor);
 }
 
-/// Reads what all loads have besides the numbers of their own.
+/// Reads the keys of a load by its rows, and what all loads have besides.
 template <class Load>
 void read_course(const TomlSection& section, Load& load) {
+  keys::read(section, rows_of(load), &load);
+  keys::read(section, keys::kLoadCourseRows<Load>, &load);
   load.factor = read_factor(section);
   load.name = read_load_name(section);
 }
@@ -81,10 +85,7 @@ PointLoad read_load(const TomlSection& section, const Blades& blades) {
   }
   PointLoad load;
   load.blade = read_blade(section, blades.size());
-  load.frame = section.choice("frame", {LoadFrame::inertial, LoadFrame::hub, LoadFrame::section},
-                              load.frame);
   load.force = read_vector(section, "force", kForce);
-  visit_fields(load, FieldReader{section});
   read_course(section, load);
   return load;
 }
@@ -118,10 +119,7 @@ DistributedLoad read_distributed_load(const TomlSection& section, const Blades& 
   DistributedLoad load;
   load.blade = read_blade(section, blades.size());
   read_ends(section, blades, load);
-  load.frame = section.choice("frame", {LoadFrame::inertial, LoadFrame::hub, LoadFrame::section},
-                              load.frame);
   load.force_per_length = read_vector(section, "force_per_length", kForcePerLength);
-  visit_fields(load, FieldReader{section});
   read_course(section, load);
   return load;
 }
@@ -144,11 +142,8 @@ Drag read_drag(const TomlSection& section, const Blades& blades) {
   require_use(section, "to", "linear_per_length", "quadratic_per_length");
   Drag drag;
   drag.blade = read_blade(section, blades.size());
-  drag.relative_to =
-      section.choice("relative_to", {DragFrame::inertial, DragFrame::hub}, drag.relative_to);
   drag.position = read_position(section, drag.blade, blades);
   read_ends(section, blades, drag);
-  visit_fields(drag, FieldReader{section});
   read_course(section, drag);
   return drag;
 }
@@ -161,9 +156,7 @@ HubLoad read_hub_load(const TomlSection& section) {
     section.fail("position", "would be ignored, expected only with \"force\"");
   HubLoad load;
   load.position = read_vector(section, "position", kLength);
-  load.frame = section.choice("frame", {LoadFrame::hub, LoadFrame::inertial}, load.frame);
   load.force = read_vector(section, "force", kForce);
-  visit_fields(load, FieldReader{section});
   read_course(section, load);
   return load;
 }
@@ -185,25 +178,23 @@ void read_loads(const TomlSection& root, Rotor& rotor) {
     if (blades.empty() && root.has(key)) root.fail(key, kNoBlades);
   PointCount count(blades);
   for (const TomlSection& section :
-       root.sections("load", with_common_keys({"position", "frame", "force", "moment"}))) {
+       root.sections("load", keys_of_load<PointLoad>(keys::kPointLoadRows))) {
     PointLoad load = read_load(section, blades);
     count.add(section, load, false);
     add_load(section, blades, std::move(load), rotor.loads);
   }
   for (const TomlSection& section : root.sections(
-           "distributed_load",
-           with_common_keys({"from", "to", "frame", "force_per_length", "moment_per_length"}))) {
+           "distributed_load", keys_of_load<DistributedLoad>(keys::kDistributedLoadRows))) {
     rotor.distributed_loads.push_back(read_distributed_load(section, blades));
     count.add(section, rotor.distributed_loads.back(), true);
   }
-  for (const TomlSection& section : root.sections(
-           "drag", with_common_keys({"relative_to", "position", "linear", "quadratic", "from", "to",
-                                     "linear_per_length", "quadratic_per_length"}))) {
+  for (const TomlSection& section : root.sections("drag", keys_of_load<Drag>(keys::kDragRows))) {
     rotor.drags.push_back(read_drag(section, blades));
     count.add(section, rotor.drags.back(), is_distributed(rotor.drags.back()));
   }
   for (const TomlSection& section : root.sections(
-           "hub_load", {"name", "position", "frame", "force", "torque", "ramp", "time", "factor"}))
+           "hub_load",
+           keys::keys_of(keys::kLoadNameRows, keys::kHubLoadRows, keys::kLoadCourseRows<HubLoad>)))
     rotor.hub_loads.push_back(read_hub_load(section));
 }
 

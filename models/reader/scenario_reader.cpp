@@ -2,8 +2,10 @@
 
 #include <filesystem>
 
-#include "models/reader/field_reader.h"
+#include "models/reader/keys/scenario_keys.h"
 #include "models/reader/loop_faults.h"
+#include "models/reader/row_reader.h"
+#include "models/reader/scenario_fields.h"
 #include "models/reader/scenario_rotor.h"
 #include "models/reader/scenario_sensors.h"
 #include "models/reader/spatial/model_reader.h"
@@ -20,13 +22,9 @@ namespace {
 
 /// Reads [integration], after the model.
 Integration read_integration(const TomlSection& root, const Scenario& scenario) {
-  const TomlSection section = root.section(
-      "integration", {"method", "step", "duration", "spectral_radius", "tolerance", "iterate_to",
-                      "iterations", "max_iterations", "loop_redundancy"});
+  const TomlSection section = root.section("integration", keys::keys_of(keys::kIntegrationRows));
   Integration integration;
-  integration.method = section.choice(
-      "method", {IntegrationMethod::generalized_alpha, IntegrationMethod::rk4}, integration.method);
-  visit_fields(integration, FieldReader{section});
+  keys::read(section, keys::kIntegrationRows, &integration);
   if (section.has("iterate_to") || section.has("tolerance"))
     integration.iterate_to = section.choice(
         "iterate_to", {IterationGoal::error, IterationGoal::tolerance}, IterationGoal::tolerance);
@@ -38,23 +36,18 @@ Integration read_integration(const TomlSection& root, const Scenario& scenario) 
 }
 
 Limits read_limits(const TomlSection& root) {
-  const TomlSection section = root.section(
-      "limits", {"deflection", "energy_growth", "on_energy_growth", "step_error", "momentum"});
+  const TomlSection section = root.section("limits", keys::keys_of(keys::kLimitsRows));
   Limits limits;
-  visit_fields(limits, FieldReader{section});
-  limits.on_energy_growth = section.choice(
-      "on_energy_growth", {EnergyGrowth::warn, EnergyGrowth::stop}, limits.on_energy_growth);
+  keys::read(section, keys::kLimitsRows, &limits);
   return limits;
 }
 
 /// Reads [initial], after all that the start depends on.
 Initial read_initial(const TomlSection& root, const Scenario& read) {
-  const TomlSection section = root.section("initial", {"state", "speed"});
+  const TomlSection section = root.section("initial", keys::keys_of(keys::kInitialRows));
   Scenario scenario = read;
   Initial& initial = scenario.initial;
-  initial.state =
-      section.choice("state", {InitialState::undeformed, InitialState::equilibrium}, initial.state);
-  if (section.has("speed")) initial.speed = section.number("speed", kSpeed);
+  keys::read(section, keys::kInitialRows, &initial);
   const StartFault fault = find_start_fault(scenario);
   if (!fault.key.empty()) section.fail(fault.key, fault.text);
   return initial;
@@ -128,12 +121,7 @@ Scenario parse_scenario(const std::string& text, const std::string& name,
                         const Overrides& overrides) {
   TomlDocument document(text, name);
   for (const std::string& assignment : overrides) document.set(assignment);
-  const TomlSection root(
-      document, {"title",     "world",    "hub",     "anchor",  "blade",        "blades",
-                 "subsystem", "support",  "gravity", "damping", "load",         "distributed_load",
-                 "drag",      "hub_load", "control", "initial", "integration",  "limits",
-                 "output",    "sensor",   "air",     "wind",    "aerodynamics", "airfoil",
-                 "statistics"});
+  const TomlSection root(document, keys::keys_of(keys::kScenarioRows));
   Scenario scenario;
   scenario.name = name_of_file(name);
   scenario.title = root.text("title", scenario.name);
@@ -143,7 +131,8 @@ Scenario parse_scenario(const std::string& text, const std::string& name,
   if (const spatial::Fault fault = spatial::find_end_fault(scenario))
     root.fail_at(fault.path, fault.text);
   scenario.limits = read_limits(root);
-  visit_fields(scenario.output, FieldReader{root.section("output", {"interval"})});
+  keys::read(root.section("output", keys::keys_of(keys::kOutputRows)), keys::kOutputRows,
+             &scenario.output);
   scenario.statistics = read_statistics(root, scenario);
   scenario.sensors = scenario.space ? spatial::read_sensors(root, *scenario.space)
                                     : read_sensors(root, scenario.rotor.blades);

@@ -9,8 +9,9 @@
 #include "models/reader/blade_sections.h"
 #include "models/reader/curve_reader.h"
 #include "models/reader/damping.h"
-#include "models/reader/field_reader.h"
 #include "models/reader/loop_reader.h"
+#include "models/reader/row_reader.h"
+#include "models/reader/scenario_fields.h"
 #include "models/reader/scenario_loads.h"
 #include "models/scenario.h"
 
@@ -52,7 +53,7 @@ void check_drive_keys(const TomlSection& drive, std::string_view kind) {
 template <class Fields>
 Fields read_fields(const TomlSection& section) {
   Fields fields;
-  visit_fields(fields, FieldReader{section});
+  keys::read(section, rows_of(fields), &fields);
   return fields;
 }
 
@@ -60,7 +61,8 @@ Fields read_fields(const TomlSection& section) {
 
 Drive read_drive(const TomlSection& hub) {
   const TomlSection drive = hub.section(
-      "drive", {"kind", "speed", "ramp", "hold", "ramp_down", "torque", "time", "initial_speed"});
+      "drive",
+      keys::keys_of(keys::kDriveKindRows, keys::kSpinUpHoldSpinDownRows, keys::kTorqueDriveRows));
   const TomlSection::Keys kinds = {
       "spin_up",  "spin_up_hold_spin_down", "torque", "free", "table", "fixed",
       "constant", "torque_by_speed"};
@@ -90,11 +92,9 @@ Drive read_drive(const TomlSection& hub) {
 namespace {
 
 Hub read_hub(const TomlSection& root) {
-  const TomlSection section =
-      root.section("hub", {"support", "radius", "inertia", "mass", "drive"});
+  const TomlSection section = root.section("hub", keys::keys_of(keys::kHubRows));
   Hub hub;
-  hub.support = section.choice("support", {HubSupport::axle, HubSupport::free}, hub.support);
-  visit_fields(hub, FieldReader{section});
+  keys::read(section, keys::kHubRows, &hub);
   hub.drive = read_drive(section);
   return hub;
 }
@@ -110,19 +110,12 @@ Blade read_blade(const TomlSection& own, const TomlSection& common, double azimu
   blade.azimuth = azimuth;
   const TomlSection& material = material_of(own, common);
   if (material.has("sections")) blade.sections = read_sections(material);
-  visit_fields(blade, [&](std::string_view key, auto& value, const auto& range, Presence presence) {
-    const bool is_own = key == "azimuth" || (&material == &own && is_material(key));
-    FieldReader{is_own ? own : from(key)}(key, value, range, presence);
-  });
+  for (const keys::Row& row : keys::kBladeRows) {
+    const bool is_own = row.key == "azimuth" || (&material == &own && is_material(row.key));
+    keys::read_row(is_own ? own : from(row.key), row, &blade);
+  }
   if (material.has("sections")) check_sections(material, blade);
   blade.point_masses = read_point_masses(from("point_mass"), blade);
-  blade.geometric_stiffening =
-      from("geometric_stiffening").flag("geometric_stiffening", blade.geometric_stiffening);
-  blade.reference_frame =
-      from("reference_frame")
-          .choice("reference_frame", {ReferenceFrame::clamped, ReferenceFrame::chord},
-                  blade.reference_frame);
-  blade.strain = read_strain(from("strain"));
   if (const char* fault = find_strain_fault(blade.strain, blade.geometric_stiffening))
     from("geometric_stiffening").fail("geometric_stiffening", fault);
   blade.loops = read_loops(from("loop"), surroundings_of(blade, rotor.hub, rotor.anchors));
@@ -140,22 +133,8 @@ void check_elements(const TomlSection& root, const std::vector<Blade>& blades) {
 }
 
 std::vector<Blade> read_blades(const TomlSection& root, const Rotor& rotor) {
-  const TomlSection::Keys keys = {"length",
-                                  "bodies",
-                                  "elements",
-                                  "density",
-                                  "area",
-                                  "second_moment",
-                                  "youngs_modulus",
-                                  "geometric_stiffening",
-                                  "reference_frame",
-                                  "strain",
-                                  "azimuth",
-                                  "sections",
-                                  "point_mass",
-                                  "loop"};
-  TomlSection::Keys common_keys = keys;
-  common_keys.push_back("count");
+  const TomlSection::Keys keys = keys::keys_of(keys::kBladeRows);
+  const TomlSection::Keys common_keys = keys::keys_of(keys::kBladeRows, keys::kBladeCountRows);
   const TomlSection common = root.section("blade", common_keys);
   const std::vector<TomlSection> one_by_one = root.sections("blades", keys);
   const double first = common.number("azimuth", Quantity::any("rad"), 0.0);
@@ -193,12 +172,12 @@ Rotor read_rotor(const TomlSection& root) {
   rotor.hub = read_hub(root);
   rotor.anchors = read_anchors(root, find_mount_fault(rotor.hub.support), true);
   rotor.blades = read_blades(root, rotor);
-  const TomlSection gravity = root.section("gravity", {"acceleration", "ramp"});
+  const TomlSection gravity = root.section("gravity", keys::keys_of(keys::kGravityRows));
   if (gravity.has("acceleration")) {
     const std::vector<double> acceleration = gravity.numbers("acceleration", kGravity, kPosition);
     rotor.gravity = Position::Map(acceleration.data());
   }
-  rotor.gravity_ramp = gravity.number("ramp", kRamp, rotor.gravity_ramp);
+  keys::read(gravity, keys::kGravityRows, &rotor);
   rotor.damping = read_damping(root, DampedBeams(rotor.blades));
   const std::string fault = find_mass_factor_fault(rotor.damping, rotor.blades);
   if (!fault.empty()) root.fail_at("damping.mass_factor", fault);

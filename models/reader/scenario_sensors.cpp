@@ -6,6 +6,7 @@
 
 #include "models/reader/blade_choice_reader.h"
 #include "models/reader/names.h"
+#include "models/reader/row_reader.h"
 #include "models/reader/scenario_fields.h"
 #include "models/reader/sensor_keys.h"
 #include "spoke/error.h"
@@ -116,8 +117,7 @@ void check_sensor(const std::string& path, const Sensor& sensor, const std::vect
 std::vector<Sensor> read_sensors(const TomlSection& root, const std::vector<Blade>& blades) {
   std::vector<Sensor> sensors;
   ColumnNames columns(is_default);
-  for (const TomlSection& section : root.sections(
-           "sensor", {"name", "quantity", "blade", "position", "joint", "loop", "frame"})) {
+  for (const TomlSection& section : root.sections("sensor", keys::keys_of(keys::kSensorRows))) {
     sensors.push_back(read_sensor(section, blades));
     const std::string fault = columns.add(columns_of(sensors.back(), blades.size()));
     if (!fault.empty()) section.fail(section.has("name") ? "name" : "", fault);

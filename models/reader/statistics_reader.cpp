@@ -7,14 +7,15 @@
 #include <vector>
 
 #include "models/error.h"
+#include "models/reader/keys/quantities.h"
+#include "models/reader/keys/simulation_keys.h"
+#include "models/reader/row_reader.h"
 #include "models/support/nearest_name.h"
 
 namespace spoke {
 namespace {
 
 constexpr const char* kBlades = "blades";
-/// Slopes of materials lie between 3 and some 20.
-constexpr Quantity kExponent = Quantity::between(1.0, 100.0);
 
 bool is_support(const Scenario& scenario, const std::string& name) {
   return scenario.space && scenario.space->support && name == spatial::kSupportName;
@@ -52,7 +53,7 @@ double find_wohler_exponent(const Scenario& scenario, const std::string& name) {
 Statistics read_statistics(const TomlSection& root, const Scenario& scenario) {
   const std::vector<std::string> names = list_names(scenario);
   const TomlSection section =
-      root.section("statistics", {"exponents"})
+      root.section("statistics", keys::keys_of(keys::kStatisticsRows))
           .section("exponents", TomlSection::Keys(names.begin(), names.end()));
   Statistics statistics;
   for (const std::string& name : names)

@@ -271,7 +271,7 @@ const T& member_of(const Row& row, const void* of) {
 }
 
 /// Calls visit(key, value, range, presence) for the numbers of a structure, in the order of the
-/// rows: double, int, Vector, of the types that `visit` takes. Other rows are passed over.
+/// rows: double, int if `visit` takes it, and Vector unless it is void. Other rows are passed over.
 template <class Vector, class S, class Visit>
 void visit_numbers(Rows rows, S& of, const Visit& visit) {
   using Erased = std::conditional_t<std::is_const_v<S>, const void*, void*>;
@@ -284,7 +284,7 @@ void visit_numbers(Rows rows, S& of, const Visit& visit) {
     if constexpr (requires(int& whole) { visit(row.key, whole, row.count, presence); })
       if (row.kind == Row::Kind::count)
         visit(row.key, member_of<int>(row, erased), row.count, presence);
-    if constexpr (requires(Vector & value) { visit(row.key, value, row.range, presence); })
+    if constexpr (!std::is_void_v<Vector>)
       if (row.kind == Row::Kind::vector)
         visit(row.key, member_of<Vector>(row, erased), range_of(row, erased), presence);
   }

@@ -1,8 +1,9 @@
 #pragma once
 
-// Keys of [air] and [aerodynamics].
+// Keys of air, of the aerodynamics of blades and of aerofoils.
 
 #include "models/air.h"
+#include "models/reader/keys/quantities.h"
 #include "models/support/key_row.h"
 
 namespace spoke::keys {
@@ -32,5 +33,63 @@ inline constexpr std::array kAerodynamicsRows{
         "stall",
         "how separation follows the angle of attack: `\"dynamic\"`, with a lag after Oye; "
         "`\"static\"`, at once, lift is that of the polar")};
+
+inline constexpr std::array kBladeAerodynamicsRows{
+    by_hand("station", kNumbers, kStation,
+            "distances from the root, ascending; 10 to 20 serve well. Beyond the first and the "
+            "last there is no load, and the last is the tip of tip loss")
+        .required()
+        .within("2 or more, 0 to `length`"),
+    stations<&spatial::BladeAerodynamics::chord>("chord", Quantity::not_negative("m"), "")
+        .required(),
+    stations<&spatial::BladeAerodynamics::twist>(
+        "twist", spatial::kAngle,
+        "of the chord against the section's y axis, which has the `twist` of the "
+        "[sections](#bladesections-in-space) already")
+        .from("0"),
+    stations<&spatial::BladeAerodynamics::center>(
+        "center", kLength,
+        "of the aerodynamic centre (of most polars the quarter of the chord): its distance from "
+        "the blade's axis along the chord, positive towards the leading edge")
+        .from("0"),
+    by_hand("airfoil", kText | kTexts,
+            "names of [aerofoils](#airfoil-polars), or files of polars, relative to the scenario")
+        .required(),
+    by_hand("leading_edge", kWord,
+            "`\"+y\"`: the leading edge looks along the section's y axis, as on a rotor that turns "
+            "about its axis in the positive sense; `\"-y\"`: about it in the negative sense")
+        .from("`\"+y\"`")
+        .among("+y -y")};
+
+inline constexpr std::array kAirfoilRows{
+    by_hand("name", kText, "unlike that of any other")
+        .required()
+        .within("letters, digits, `_`, `-`, `.`; up to 64"),
+    by_hand("file", kText,
+            "relative to the scenario's folder: a plain table, or a file of AeroDyn 15 "
+            "([formats](aerodynamics.md#8-aerofoil-files)); **its angles are in degrees**")
+        .from("none"),
+    by_hand("polar", kTables, "polars by Reynolds number, `[[airfoil.polar]]`, with the keys below")
+        .from("none")};
+
+inline constexpr std::array kPolarRows{
+    by_hand("reynolds", kNumber, spatial::kReynolds,
+            "Reynolds number of the polar, ascending from one to the next")
+        .from("none; required where there are several")
+        .within("greater than 0"),
+    by_hand("angle", kNumbers, spatial::kAngle,
+            "angles of attack, ascending; the first is −π, the last π")
+        .from("required without `file`")
+        .within("3 or more"),
+    by_hand("lift", kNumbers, spatial::kCoefficient, "coefficient of lift, equal at both ends")
+        .from("required without `file`")
+        .within("−100 to 100"),
+    by_hand("drag", kNumbers, spatial::kCoefficient, "of drag, likewise")
+        .from("required without `file`")
+        .within(
+            "−100 to 100; 0 or more: down to −0.01 with a warning, as extrapolated polars have it"),
+    by_hand("moment", kNumbers, spatial::kCoefficient, "about the aerodynamic centre, nose up")
+        .from("0")
+        .within("−100 to 100")};
 
 }  // namespace spoke::keys

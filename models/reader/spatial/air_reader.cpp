@@ -71,8 +71,7 @@ Airfoil read_airfoil(const TomlSection& section, const std::string& folder) {
   } else if (section.has("angle")) {
     airfoil.polars.push_back(read_polar(section));
   } else {
-    for (const TomlSection& table :
-         section.sections("polar", {"reynolds", "angle", "lift", "drag", "moment"}))
+    for (const TomlSection& table : section.sections("polar", keys::keys_of(keys::kPolarRows)))
       airfoil.polars.push_back(read_polar(table));
   }
   if (const Fault fault = find_fault(airfoil)) {
@@ -119,9 +118,7 @@ void add_files(const TomlSection& root, const std::string& folder, const Model& 
 
 }  // namespace
 
-TomlSection::Keys aerodynamics_keys() {
-  return {"station", "chord", "twist", "center", "airfoil", "leading_edge"};
-}
+TomlSection::Keys aerodynamics_keys() { return keys::keys_of(keys::kBladeAerodynamicsRows); }
 
 BladeAerodynamics read_aerodynamics(const TomlSection& section, double length) {
   BladeAerodynamics read;
@@ -152,8 +149,8 @@ std::optional<Air> read_air(const TomlSection& root, const std::string& folder,
   if (root.has("wind")) air.wind = read_wind(root.section("wind", wind_keys()), folder);
   keys::read(root.section("aerodynamics", keys::keys_of(keys::kAerodynamicsRows)),
              keys::kAerodynamicsRows, &air);
-  for (const TomlSection& table : root.sections(
-           "airfoil", {"name", "file", "polar", "reynolds", "angle", "lift", "drag", "moment"}))
+  for (const TomlSection& table :
+       root.sections("airfoil", keys::keys_of(keys::kAirfoilRows, keys::kPolarRows)))
     air.airfoils.push_back(read_airfoil(table, folder));
   add_files(root, folder, model, air);
   if (const Fault fault = find_fault(air, model)) root.fail_at(fault.path, fault.text);

@@ -2,14 +2,14 @@
 
 #include <numbers>
 
-#include "models/reader/blade_sections.h"
-#include "models/reader/field_reader.h"
 #include "models/reader/loop_reader.h"
+#include "models/reader/row_reader.h"
 #include "models/reader/spatial/air_reader.h"
 #include "models/reader/spatial/body_reader.h"
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/joint_reader.h"
 #include "models/reader/spatial/section_reader.h"
+#include "models/reader/spatial/spatial_fields.h"
 
 namespace spoke::spatial {
 namespace {
@@ -30,10 +30,9 @@ class Layers {
 };
 
 std::vector<BladeJoint> read_joints(const TomlSection& blade) {
-  TomlSection::Keys keys = joint_keys();
-  keys.push_back("station");
   std::vector<BladeJoint> joints;
-  for (const TomlSection& table : blade.sections("joint", keys))
+  for (const TomlSection& table :
+       blade.sections("joint", keys::keys_of(keys::kJointRows, keys::kJointStationRows)))
     joints.push_back({table.number("station", kStation), read_joint(table)});
   return joints;
 }
@@ -41,22 +40,14 @@ std::vector<BladeJoint> read_joints(const TomlSection& blade) {
 Blade read_blade(const TomlSection& own, const TomlSection& common, double azimuth,
                  const Model& model) {
   const Layers from(own, common);
-  const auto read = [&](std::string_view key, auto& value, const auto& range, Presence presence) {
-    FieldReader{key == "azimuth" ? own : from.of(key)}(key, value, range, presence);
-  };
   Blade blade;
   Beam& beam = blade.beam;
-  visit_fields(beam, read);
+  for (const keys::Row& row : keys::kBeamRows) keys::read_row(from.of(row.key), row, &beam);
   beam.sections = read_sections(from.of("sections"), beam.length);
   beam.point_masses = read_point_masses(from.of("point_mass"));
-  beam.geometric_stiffening = from.of("geometric_stiffening").flag("geometric_stiffening", true);
-  beam.reference_frame =
-      from.of("reference_frame")
-          .choice("reference_frame", {ReferenceFrame::clamped, ReferenceFrame::chord},
-                  beam.reference_frame);
-  beam.strain = read_strain(from.of("strain"));
   blade.azimuth = azimuth;
-  visit_fields(blade, read);
+  for (const keys::Row& row : keys::kSpaceBladeRows)
+    keys::read_row(row.key == "azimuth" ? own : from.of(row.key), row, &blade);
   blade.joints = read_joints(from.of("joint"));
   if (const TomlSection& table = from.of("aerodynamics"); table.has("aerodynamics"))
     blade.aerodynamics =
@@ -70,10 +61,9 @@ Blade read_blade(const TomlSection& own, const TomlSection& common, double azimu
 }  // namespace
 
 std::vector<Blade> read_blades(const TomlSection& root, const Model& model) {
-  TomlSection::Keys keys = beam_keys();
-  keys.insert(keys.end(), {"azimuth", "precone", "joint", "loop", "aerodynamics"});
-  TomlSection::Keys common_keys = keys;
-  common_keys.push_back("count");
+  const TomlSection::Keys keys = keys::keys_of(keys::kBeamRows, keys::kSpaceBladeRows);
+  const TomlSection::Keys common_keys =
+      keys::keys_of(keys::kBeamRows, keys::kSpaceBladeRows, keys::kBladeCountRows);
   const TomlSection common = root.section("blade", common_keys);
   const std::vector<TomlSection> one_by_one = root.sections("blades", keys);
   const double first = common.number("azimuth", kAngle, 0.0);

@@ -15,9 +15,6 @@ namespace spoke::spatial {
 /// hub and its anchors, on which loops may close.
 std::vector<Blade> read_blades(const TomlSection& root, const Model& model);
 
-/// Returns the keys of the tables that describe a tree of bodies.
-TomlSection::Keys tree_keys();
-
 /// Reads the bodies, joints and loops of a tree, which has its name, from its table. A joint on the
 /// base may leave out its parent if the model's support stands there. `before`: subsystems that are
 /// read, which lend their meshes.

@@ -113,11 +113,12 @@ Fault find_limits_fault(const PitchControl& control) {
 
 Fault find_fault(const PitchControl& control, const Model& model) {
   const FirstFault first;
-  visit_fields(control, first);
-  visit_options(control, [&](std::string_view key, const std::optional<double>& value,
-                             const Quantity& quantity) {
-    if (value) first(key, *value, quantity);
-  });
+  keys::visit_numbers<void>(keys::kPitchControlRows, control, first);
+  keys::visit_options(
+      keys::kPitchControlRows, control,
+      [&](std::string_view key, const std::optional<double>& value, const Quantity& quantity) {
+        if (value) first(key, *value, quantity);
+      });
   if (control.speed == 0.0)
     first.add({"speed", "is 0, expected the set point of a hub that turns (rad/s)"});
   if (control.proportional == 0.0 && control.integral == 0.0)

@@ -2,7 +2,8 @@
 
 #include "models/reader/spatial/control_json.h"
 
-#include "models/reader/spatial/field_writer.h"
+#include "models/reader/keys/control_keys.h"
+#include "models/reader/row_reader.h"
 #include "models/reader/spatial/spatial_fields.h"
 
 namespace spoke::spatial {
@@ -10,11 +11,12 @@ namespace spoke::spatial {
 Json control_to_json(const PitchControl& control) {
   Json json;
   for (const std::string& name : control.joints) json.append("joints", name);
-  visit_fields(control, FieldWriter{json});
-  visit_options(control,
-                [&](std::string_view key, const std::optional<double>& value, const Quantity&) {
-                  if (value) json.set(key, *value);
-                });
+  keys::write_numbers(keys::kPitchControlRows, &control, json);
+  keys::visit_options(
+      keys::kPitchControlRows, control,
+      [&](std::string_view key, const std::optional<double>& value, const Quantity&) {
+        if (value) json.set(key, *value);
+      });
   if (control.schedule)
     json.set("schedule",
              {{"angle", control.schedule->times()}, {"factor", control.schedule->values()}});

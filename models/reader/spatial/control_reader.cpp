@@ -3,7 +3,7 @@
 #include "models/reader/spatial/control_reader.h"
 
 #include "models/reader/curve_reader.h"
-#include "models/reader/field_reader.h"
+#include "models/reader/row_reader.h"
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/spatial_fields.h"
 #include "models/reader/toml_value.h"
@@ -30,7 +30,7 @@ void read_schedule(const TomlSection& section, PitchControl& control) {
   if (!section.has("schedule")) return;
   if (section.has("half_gain_angle"))
     section.fail("schedule", "given along with half_gain_angle, expected only one of them");
-  const TomlSection table = section.section("schedule", {"angle", "factor"});
+  const TomlSection table = section.section("schedule", keys::keys_of(keys::kScheduleRows));
   control.schedule = read_curve(table, "angle", kAngle, "factor", Quantity::positive(""));
 }
 
@@ -38,18 +38,12 @@ void read_schedule(const TomlSection& section, PitchControl& control) {
 
 std::optional<PitchControl> read_pitch_control(const TomlSection& root, const Model& model) {
   if (!root.has("control")) return std::nullopt;
-  const TomlSection parent = root.section("control", {"pitch"});
+  const TomlSection parent = root.section("control", keys::keys_of(keys::kControlRows));
   if (!parent.has("pitch")) return std::nullopt;  // so an override can take a controller away
-  const TomlSection section = parent.section(
-      "pitch", {"joint", "joints", "speed", "proportional", "integral", "half_gain_angle",
-                "schedule", "minimum", "maximum", "rate", "filter", "initial", "sign", "period"});
+  const TomlSection section = parent.section("pitch", keys::keys_of(keys::kPitchControlRows));
   PitchControl control;
   control.joints = read_controlled_joints(section);
-  visit_fields(control, FieldReader{section});
-  visit_options(control,
-                [&](std::string_view key, std::optional<double>& value, const Quantity& quantity) {
-                  if (section.has(key)) value = section.number(key, quantity);
-                });
+  keys::read(section, keys::kPitchControlRows, &control);
   read_schedule(section, control);
   control.initial = section.number("initial", kAngle, control.minimum);
   control.sign = section.integer("sign", Count{-1, 1}, 1);

@@ -7,6 +7,7 @@
 
 #include "models/count_text.h"
 #include "models/reader/curve_reader.h"
+#include "models/reader/row_reader.h"
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/vector_reader.h"
 
@@ -83,7 +84,7 @@ void read_effort(const TomlSection& section, std::string_view key, const Quantit
                  JointCoordinate* first, std::size_t count) {
   if (!section.has(key)) return;
   if (section.is_table(key)) {
-    const TomlSection table = section.section(key, {"time", "value"});
+    const TomlSection table = section.section(key, keys::keys_of(keys::kEffortRows));
     if (count == 1) {
       first->effort = read_curve(table, "time", kTime, "value", quantity);
       return;
@@ -150,7 +151,7 @@ void read_tables(const TomlSection& section, std::string_view key, const TomlSec
 }
 
 void read_stops(const TomlSection& section, Joint& joint) {
-  read_tables(section, "stop", {"lower", "upper", "stiffness", "damping", "width"}, joint,
+  read_tables(section, "stop", keys::keys_of(keys::kStopRows), joint,
               [&](const TomlSection& table, std::size_t i) {
                 if (joint.kind != JointKind::revolute && joint.kind != JointKind::prismatic &&
                     !table.has("lower") && !table.has("upper") && !table.has("stiffness"))
@@ -162,24 +163,18 @@ void read_stops(const TomlSection& section, Joint& joint) {
 }
 
 void read_motions(const TomlSection& section, Joint& joint) {
-  read_tables(
-      section, "motion", {"constant", "time", "value", "mean", "cosine", "sine", "by", "initial"},
-      joint, [&](const TomlSection& table, std::size_t i) {
-        joint.coordinates[i].motion = read_motion(table, units_of(joint.kind, static_cast<int>(i)));
-        if (!joint.coordinates[i].motion && count_coordinates(joint.kind) == 1)
-          table.fail("",
-                     "is empty, expected constant, time and value, mean, cosine and "
-                     "sine, or by = \"program\"");
-      });
+  read_tables(section, "motion", keys::keys_of(keys::kMotionRows), joint,
+              [&](const TomlSection& table, std::size_t i) {
+                joint.coordinates[i].motion =
+                    read_motion(table, units_of(joint.kind, static_cast<int>(i)));
+                if (!joint.coordinates[i].motion && count_coordinates(joint.kind) == 1)
+                  table.fail("",
+                             "is empty, expected constant, time and value, mean, cosine and "
+                             "sine, or by = \"program\"");
+              });
 }
 
 }  // namespace
-
-TomlSection::Keys joint_keys() {
-  return {"name",      "kind",    "axis",  "axes",  "offset",  "orientation",
-          "stiffness", "damping", "rest",  "stop",  "initial", "initial_speed",
-          "hold",      "torque",  "force", "motion"};
-}
 
 Joint read_joint(const TomlSection& section) {
   Joint joint;
@@ -187,10 +182,9 @@ Joint read_joint(const TomlSection& section) {
   joint.kind = static_cast<JointKind>(section.choice("kind", kKinds));
   if (joint.kind == JointKind::bushing) joint.coordinates.resize(6);
   check_kind_keys(section, name_of(joint.kind));
-  visit_fields(joint, VectorReader{section});
+  keys::read(section, keys::kJointRows, &joint);
   read_axes(section, joint);
   read_numbers(section, joint);
-  joint.hold = section.flag("hold", false);
   const bool has_way = slides(joint.kind, count_coordinates(joint.kind) - 1);
   const std::size_t angles =
       static_cast<std::size_t>(count_coordinates(joint.kind)) - (has_way ? 1 : 0);

@@ -7,9 +7,6 @@
 
 namespace spoke::spatial {
 
-/// Returns the keys of a table that describes a joint, besides those that say where it is.
-TomlSection::Keys joint_keys();
-
 /// Reads a joint. Throws InputError, also about what find_fault() finds.
 Joint read_joint(const TomlSection& section);
 

@@ -104,10 +104,7 @@ void check_model(const Model& model) {
   const FirstFault first;
   first("gravity.acceleration", model.gravity, kGravity, Presence::optional);
   first("gravity.ramp", model.gravity_ramp, kRamp);
-  visit_fields(model.damping,
-               [&](std::string_view key, double value, const Quantity& quantity, Presence) {
-                 first("damping." + std::string(key), value, quantity);
-               });
+  find_range_faults("damping.", keys::kDampingRows, model.damping, first);
   require(first.found());
   const DampingFault damping = find_damping_fault(model.damping, DampedBeams(model));
   if (!damping.text.empty()) require({"damping." + damping.key, damping.text});

@@ -41,7 +41,8 @@ Json to_json(const Hub& hub) {
 
 Json to_json(const Sections& sections) {
   Json json = {{"station", sections.station}};
-  const auto numbers = [&](const char* key, const std::vector<double>& values, const Quantity&) {
+  const auto numbers = [&](std::string_view key, const std::vector<double>& values,
+                           const Quantity&) {
     if (!values.empty()) json.set(key, values);
   };
   const auto offsets = [&](const char* key, const std::vector<Offset>& values, const Quantity&) {

@@ -9,6 +9,7 @@
 #include "models/reader/blade_choice_reader.h"
 #include "models/reader/damping.h"
 #include "models/reader/loop_reader.h"
+#include "models/reader/row_reader.h"
 #include "models/reader/scenario_loads.h"
 #include "models/reader/scenario_rotor.h"
 #include "models/reader/spatial/air_reader.h"
@@ -24,20 +25,18 @@ namespace spoke::spatial {
 namespace {
 
 TomlSection hub_section(const TomlSection& root) {
-  return root.section("hub", {"support", "axis", "radius", "mass", "center", "inertia", "drive",
-                              "mount", "suspension", "velocity", "angular_velocity"});
+  return root.section("hub", keys::keys_of(keys::kSpaceHubRows));
 }
 
 Hub read_hub(const TomlSection& section) {
   Hub hub;
-  hub.support = section.choice("support", {HubSupport::axle, HubSupport::free}, hub.support);
+  keys::read(section, keys::kSpaceHubRows, &hub);
   const bool is_free = hub.support == HubSupport::free;
-  visit_fields(hub, VectorReader{section});
   if (is_free || section.has("inertia"))
     hub.inertia = read_inertia(section, "inertia", MayBeZero::no);
   if (!is_free || section.has("drive")) hub.drive = read_drive(section);
   if (section.has("mount")) {
-    const TomlSection mount = section.section("mount", {"translation", "rotation"});
+    const TomlSection mount = section.section("mount", keys::keys_of(keys::kMountRows));
     if (!mount.has("translation") && !mount.has("rotation"))
       mount.fail("", "has neither translation nor rotation, expected at least one of them");
     hub.mount =
@@ -85,15 +84,10 @@ void require_one(const TomlSection& section, std::string_view first, std::string
                        ", expected one of them as [x, y, z]");
 }
 
-LoadFrame read_frame(const TomlSection& section, LoadFrame fallback) {
-  return section.choice("frame",
-                        {LoadFrame::inertial, LoadFrame::hub, LoadFrame::body, LoadFrame::section},
-                        fallback);
-}
-
 template <class Load>
 void finish_load(const TomlSection& section, const Model& model, Load& load) {
-  visit_fields(load, VectorReader{section});
+  keys::read(section, rows_of(load), &load);
+  keys::read(section, keys::kLoadCourseRows<Load>, &load);
   load.factor = read_factor(section);
   load.name = read_load_name(section);
   if (const Fault fault = find_fault(load, model)) section.fail_at(fault.path, fault.text);
@@ -114,8 +108,8 @@ void add_load(const TomlSection& root, const TomlSection& section, const Model& 
 
 void read_point_loads(const TomlSection& root, Model& model) {
   for (const TomlSection& section : root.sections(
-           "load", {"blade", "subsystem", "body", "position", "point", "interface", "nodes",
-                    "frame", "force", "moment", "traction", "name", "ramp", "time", "factor"})) {
+           "load", keys::keys_of(keys::kLoadPlaceRows, keys::kSpacePointLoadRows,
+                                 keys::kLoadNameRows, keys::kLoadCourseRows<PointLoad>))) {
     PointLoad load;
     if (!section.has("traction")) require_one(section, "force", "moment");
     load.place = read_place(section, model);
@@ -124,7 +118,6 @@ void read_point_loads(const TomlSection& root, Model& model) {
     load.interface = section.text("interface", "");
     if (section.has("nodes")) load.nodes = read_choice(section, "nodes");
     if (section.has("traction")) load.traction = read_vector(section, "traction", kTraction);
-    load.frame = read_frame(section, load.frame);
     add_load(root, section, model, std::move(load), model.loads);
   }
 }
@@ -132,27 +125,25 @@ void read_point_loads(const TomlSection& root, Model& model) {
 void read_distributed_loads(const TomlSection& root, Model& model) {
   for (const TomlSection& section :
        root.sections("distributed_load",
-                     {"blade", "subsystem", "body", "from", "to", "frame", "force_per_length",
-                      "moment_per_length", "name", "ramp", "time", "factor"})) {
+                     keys::keys_of(keys::kLoadPlaceRows, keys::kSpaceDistributedLoadRows,
+                                   keys::kLoadNameRows, keys::kLoadCourseRows<DistributedLoad>))) {
     DistributedLoad load;
     require_one(section, "force_per_length", "moment_per_length");
     load.place = read_place(section, model);
     load.from = section.number("from", kStation, 0.0);
     if (section.has("to")) load.to = section.number("to", kStation);
-    load.frame = read_frame(section, load.frame);
     add_load(root, section, model, std::move(load), model.distributed_loads);
   }
 }
 
 void read_hub_loads(const TomlSection& root, Model& model) {
   for (const TomlSection& section :
-       root.sections("hub_load",
-                     {"position", "frame", "force", "torque", "name", "ramp", "time", "factor"})) {
+       root.sections("hub_load", keys::keys_of(keys::kSpaceHubLoadRows, keys::kLoadNameRows,
+                                               keys::kLoadCourseRows<HubLoad>))) {
     HubLoad load;
     require_one(section, "force", "torque");
     if (section.has("position") && !section.has("force"))
       section.fail("position", "would be ignored, expected only with \"force\"");
-    load.frame = section.choice("frame", {LoadFrame::hub, LoadFrame::inertial}, load.frame);
     finish_load(section, model, load);
     model.hub_loads.push_back(std::move(load));
   }
@@ -172,9 +163,8 @@ Model read_model(const TomlSection& root, const std::string& folder) {
     root.fail("blade", "is missing, expected [blade], [[blades]] or [[subsystem]]");
   const std::string size_fault = find_size_fault(model);
   if (!size_fault.empty()) root.fail(root.has("blade") ? "blade" : "", size_fault);
-  const TomlSection gravity = root.section("gravity", {"acceleration", "ramp"});
-  if (gravity.has("acceleration")) model.gravity = read_vector(gravity, "acceleration", kGravity);
-  model.gravity_ramp = gravity.number("ramp", kRamp, model.gravity_ramp);
+  const TomlSection gravity = root.section("gravity", keys::keys_of(keys::kSpaceGravityRows));
+  keys::read(gravity, keys::kSpaceGravityRows, &model);
   model.damping = read_damping(root, DampedBeams(model));
   const std::string damping_fault = find_mass_factor_fault(model);
   if (!damping_fault.empty()) root.fail_at("damping.mass_factor", damping_fault);

@@ -82,15 +82,16 @@ Fault find_matrices_fault(const std::string& key, const std::vector<SectionMatri
 /// Finds values that are given beside a matrix that holds them.
 Fault find_double(const Sections& sections) {
   const FirstFault first;
-  const auto refuse = [&](bool doubled, const char* key, const char* matrix) {
+  const auto refuse = [&](bool doubled, std::string_view key, const char* matrix) {
     if (doubled)
-      first.add({key, std::string("given along with ") + matrix + ", expected only one of them"});
+      first.add({std::string(key),
+                 std::string("given along with ") + matrix + ", expected only one of them"});
   };
   const bool has_stiffness = !sections.stiffness_6x6.empty(), has_mass = !sections.mass_6x6.empty();
-  const auto of_stiffness = [&](const char* key, const auto& values, const Quantity&) {
+  const auto of_stiffness = [&](std::string_view key, const auto& values, const Quantity&) {
     refuse(has_stiffness && !values.empty(), key, "stiffness_6x6");
   };
-  const auto of_mass = [&](const char* key, const auto& values, const Quantity&) {
+  const auto of_mass = [&](std::string_view key, const auto& values, const Quantity&) {
     refuse(has_mass && !values.empty(), key, "mass_6x6");
   };
   visit_stiffnesses(sections, of_stiffness);
@@ -106,18 +107,19 @@ Fault find_double(const Sections& sections) {
 Fault find_length_fault(const Sections& sections) {
   const FirstFault first;
   const std::size_t stations = sections.station.size();
-  const auto check = [&](const char* key, const auto& values, bool is_needed) {
+  const auto check = [&](std::string_view key, const auto& values, bool is_needed) {
     if (values.size() == stations || (!is_needed && values.empty())) return;
-    first.add({key, values.empty() ? "is missing, expected " + std::to_string(stations) +
-                                         " values, one for each station"
-                                   : "has " + count_numbers(values.size()) + ", expected " +
-                                         std::to_string(stations) + ", one for each station"});
+    first.add({std::string(key), values.empty()
+                                     ? "is missing, expected " + std::to_string(stations) +
+                                           " values, one for each station"
+                                     : "has " + count_numbers(values.size()) + ", expected " +
+                                           std::to_string(stations) + ", one for each station"});
   };
   const bool by_values = sections.stiffness_6x6.empty(), mass_by_values = sections.mass_6x6.empty();
-  const auto needed = [&](const char* key, const auto& values, const Quantity&) {
+  const auto needed = [&](std::string_view key, const auto& values, const Quantity&) {
     check(key, values, by_values);
   };
-  const auto optional = [&](const char* key, const auto& values, const Quantity&) {
+  const auto optional = [&](std::string_view key, const auto& values, const Quantity&) {
     check(key, values, false);
   };
   check("mass_per_length", sections.mass_per_length, mass_by_values);
@@ -125,7 +127,7 @@ Fault find_length_fault(const Sections& sections) {
   visit_shear_stiffnesses(sections, optional);
   visit_stiffness_centers(sections, optional);
   // Stiffness matrices do not say how wide the sections are.
-  visit_inertias(sections, [&](const char* key, const auto& values, const Quantity&) {
+  visit_inertias(sections, [&](std::string_view key, const auto& values, const Quantity&) {
     check(key, values, mass_by_values && !by_values);
   });
   check("mass_center", sections.mass_center, false);
@@ -137,7 +139,7 @@ Fault find_length_fault(const Sections& sections) {
 
 Fault find_range_fault(const Sections& sections) {
   const FirstFault first;
-  const auto numbers = [&](const char* key, const std::vector<double>& values,
+  const auto numbers = [&](std::string_view key, const std::vector<double>& values,
                            const Quantity& quantity) { first.numbers(key, values, quantity); };
   const auto offsets = [&](const char* key, const std::vector<Offset>& values,
                            const Quantity& quantity) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "models/reader/row_reader.h"
 #include "models/reader/spatial/vector_reader.h"
 
 namespace spoke::spatial {
@@ -67,27 +68,9 @@ class SectionReader {
 };
 
 TomlSection::Keys section_keys() {
-  return {"station",
-          "mass_per_length",
-          "axial_stiffness",
-          "flap_stiffness",
-          "lag_stiffness",
-          "torsion_stiffness",
-          "flap_shear_stiffness",
-          "lag_shear_stiffness",
-          "flap_inertia",
-          "lag_inertia",
-          "mass_center",
-          "tension_center",
-          "shear_center",
-          "stiffness_6x6",
-          "mass_6x6",
-          "matrix_convention",
-          "twist",
-          "sweep",
-          "prebend",
-          "chord",
-          "thickness"};
+  return keys::keys_of(keys::kSectionRows, keys::kStiffnessRows, keys::kShearStiffnessRows,
+                       keys::kSectionInertiaRows, keys::kSectionMatrixRows,
+                       keys::kSectionShapeRows);
 }
 
 }  // namespace
@@ -101,10 +84,7 @@ SectionMatrix swap_beamdyn_axes(const SectionMatrix& matrix) {
   return swapped;
 }
 
-TomlSection::Keys beam_keys() {
-  return {"length", "bodies",    "elements", "sections", "reference_frame", "geometric_stiffening",
-          "strain", "point_mass"};
-}
+TomlSection::Keys beam_keys() { return keys::keys_of(keys::kBeamRows); }
 
 Sections read_sections(const TomlSection& beam, double length) {
   if (!beam.has("sections"))
@@ -117,7 +97,7 @@ Sections read_sections(const TomlSection& beam, double length) {
     table.fail("matrix_convention",
                "would be ignored, expected only with \"stiffness_6x6\" or \"mass_6x6\"");
   const SectionReader read(table, sections.station.size());
-  read("mass_per_length", sections.mass_per_length, Quantity::positive("kg/m"));
+  keys::visit_stations(keys::kSectionRows, sections, read);
   visit_stiffnesses(sections, read);
   visit_shear_stiffnesses(sections, read);
   visit_inertias(sections, read);
@@ -132,9 +112,9 @@ Sections read_sections(const TomlSection& beam, double length) {
 std::vector<PointMass> read_point_masses(const TomlSection& beam) {
   std::vector<PointMass> points;
   for (const TomlSection& table :
-       beam.sections("point_mass", {"position", "mass", "offset", "inertia"})) {
+       beam.sections("point_mass", keys::keys_of(keys::kSpacePointMassRows))) {
     PointMass point;
-    visit_fields(point, VectorReader{table});
+    keys::read(table, keys::kSpacePointMassRows, &point);
     if (table.has("inertia")) point.inertia = read_inertia(table, "inertia", MayBeZero::yes);
     points.push_back(point);
   }

@@ -11,6 +11,7 @@
 #include "models/count_text.h"
 #include "models/reader/blade_choice_reader.h"
 #include "models/reader/names.h"
+#include "models/reader/row_reader.h"
 #include "models/reader/sensor_keys.h"
 #include "models/reader/spatial/body_reader.h"
 #include "models/reader/spatial/fault.h"
@@ -261,9 +262,7 @@ Sensor read_sensor(const TomlSection& section, const Model& model) {
 
 std::vector<Sensor> read_sensors(const TomlSection& root, const Model& model) {
   std::vector<Sensor> sensors;
-  const auto sections =
-      root.sections("sensor", {"name", "quantity", "blade", "subsystem", "body", "position",
-                               "joint", "loop", "interface", "node", "frame"});
+  const auto sections = root.sections("sensor", keys::keys_of(keys::kSpaceSensorRows));
   if (sections.empty()) return sensors;
   SensorRules rules(model);
   for (const TomlSection& section : sections) {

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "models/file_watch.h"
+#include "models/reader/row_reader.h"
 #include "models/reader/spatial/solid_faults.h"
 #include "models/reader/spatial/vector_reader.h"
 #include "models/scenario.h"
@@ -64,7 +65,8 @@ SolidMatrices read_matrices(const TomlSection& section, const std::string& folde
       read_file_name(section, "stiffness", folder, "a file of the stiffness matrix");
   matrices.nodes = read_file_name(section, "nodes", folder, "a file of the nodes");
   if (!section.has("geometric_stiffness")) return matrices;
-  const TomlSection files = section.section("geometric_stiffness", {"own", "translation"});
+  const TomlSection files =
+      section.section("geometric_stiffness", keys::keys_of(keys::kGeometricStiffnessRows));
   matrices.own = read_file_names<6>(files, "own", folder);
   matrices.translation = read_file_names<3>(files, "translation", folder);
   return matrices;
@@ -92,16 +94,14 @@ SolidInterface read_interface(const TomlSection& section) {
   if (!section.has("name")) section.fail("name", "is missing, expected a name");
   interface.name = section.text("name", "");
   interface.nodes = read_choice(section, "nodes");
-  interface.kind =
-      section.choice("kind", {InterfaceKind::rigid, InterfaceKind::average}, interface.kind);
+  keys::read(section, keys::kInterfaceRows, &interface);
   if (section.has("point")) interface.point = read_vector(section, "point", kLength);
   return interface;
 }
 
 /// Reads how the solid is reduced, damped and stiffened.
 void read_coordinates(const TomlSection& section, SolidBody& body) {
-  body.coordinates = section.choice(
-      "coordinates", {SolidCoordinates::reduced, SolidCoordinates::nodal}, body.coordinates);
+  keys::read(section, keys::kSolidRows, &body);
   if (section.has("modes")) body.modes = section.integer("modes", kModes);
   if (section.has("up_to")) body.up_to = section.number("up_to", kFrequency);
   const bool has_stresses = !body.matrices || section.has("geometric_stiffness");
@@ -110,8 +110,6 @@ void read_coordinates(const TomlSection& section, SolidBody& body) {
     body.damping = section.numbers("damping", kDampingRatio);
   else if (section.has("damping"))
     body.damping = {section.number("damping", kDampingRatio)};
-  body.frame =
-      section.choice("reference_frame", {SolidFrame::clamped, SolidFrame::mean_axis}, body.frame);
 }
 
 /// Takes over what a body has read: the mesh of the same file, and all that was made of it if the
@@ -129,46 +127,31 @@ void share_mesh(const Subsystem& other, SolidBody& body) {
 
 }  // namespace
 
-TomlSection::Keys solid_keys() {
-  return {"mesh",
-          "material",
-          "scale",
-          "coordinates",
-          "modes",
-          "up_to",
-          "damping",
-          "geometric_stiffening",
-          "interface",
-          "reference_frame",
-          "format",
-          "mass",
-          "stiffness",
-          "nodes",
-          "geometric_stiffness"};
-}
+TomlSection::Keys solid_keys() { return keys::keys_of(keys::kSolidRows); }
 
 NodeChoice read_choice(const TomlSection& section, std::string_view key) {
   const std::string expected = kNodesExpected;
   if (!section.has(key)) section.fail(key, "is missing, expected " + expected);
   if (section.is_text(key)) return section.text(key, "");
   if (!section.is_table(key)) section.fail_expected(key, expected);
-  const TomlSection table = section.section(key, {"plane", "cylinder", "box"});
+  const TomlSection table = section.section(key, keys::keys_of(keys::kNodesRows));
   const int given = int{table.has("plane")} + int{table.has("cylinder")} + int{table.has("box")};
   if (given != 1)
     table.fail("", "has " + std::to_string(given) + " keys, expected one: plane, cylinder or box");
   if (table.has("plane")) {
     PlaneNodes plane;
-    visit_fields(plane, VectorReader{table.section("plane", {"point", "normal", "tolerance"})});
+    keys::read(table.section("plane", keys::keys_of(keys::kPlaneNodesRows)), keys::kPlaneNodesRows,
+               &plane);
     return plane;
   }
   if (table.has("cylinder")) {
     CylinderNodes cylinder;
-    visit_fields(cylinder,
-                 VectorReader{table.section("cylinder", {"point", "axis", "radius", "tolerance"})});
+    keys::read(table.section("cylinder", keys::keys_of(keys::kCylinderNodesRows)),
+               keys::kCylinderNodesRows, &cylinder);
     return cylinder;
   }
   BoxNodes box;
-  visit_fields(box, VectorReader{table.section("box", {"from", "to"})});
+  keys::read(table.section("box", keys::keys_of(keys::kBoxNodesRows)), keys::kBoxNodesRows, &box);
   return box;
 }
 
@@ -176,15 +159,13 @@ SolidBody read_solid(const TomlSection& section, const std::string& folder,
                      const std::vector<Subsystem>& before, const Subsystem& own) {
   SolidBody body;
   read_source(section, folder, body);
-  if (section.has("material")) {
-    const TomlSection material =
-        section.section("material", {"youngs_modulus", "poissons_ratio", "density"});
-    visit_fields(body.material.emplace(), FieldReader{material});
-  }
-  body.length_scale =
-      section.section("scale", {"length"}).number("length", kLengthScale, body.length_scale);
+  if (section.has("material"))
+    keys::read(section.section("material", keys::keys_of(keys::kMaterialRows)), keys::kMaterialRows,
+               &body.material.emplace());
+  keys::read(section.section("scale", keys::keys_of(keys::kScaleRows)), keys::kScaleRows, &body);
   read_coordinates(section, body);
-  for (const TomlSection& table : section.sections("interface", {"name", "nodes", "kind", "point"}))
+  for (const TomlSection& table :
+       section.sections("interface", keys::keys_of(keys::kInterfaceRows)))
     body.interfaces.push_back(read_interface(table));
   if (const Fault fault = find_description_fault(body)) section.fail_at(fault.path, fault.text);
   for (const Subsystem& subsystem : before) share_mesh(subsystem, body);

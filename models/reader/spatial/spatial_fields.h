@@ -1,43 +1,23 @@
 #pragma once
 
-// Ranges of the numbers of a model in space, as scenario_fields.h has them for the plane: the
-// reader of files, the check of what is filled in code and the writer all go by it. visit_fields()
-// calls visit(key, value, range, presence) for the numbers and vectors of a structure, in the order
-// of the file.
+// Numbers and vectors of a model in space by the rows of their keys, as scenario_fields.h has them
+// for the plane: the reader of files, the check of what is filled in code and the writer all go by
+// them.
 
 #include <array>
 #include <string_view>
 #include <vector>
 
+#include "models/reader/keys/air_keys.h"
+#include "models/reader/keys/beam_keys.h"
+#include "models/reader/keys/control_keys.h"
+#include "models/reader/keys/joint_keys.h"
+#include "models/reader/keys/solid_keys.h"
+#include "models/reader/keys/tree_keys.h"
 #include "models/reader/scenario_fields.h"
 #include "models/spatial_model.h"
 
 namespace spoke::spatial {
-
-inline constexpr Quantity kAngle = Quantity::any("rad");
-inline constexpr Quantity kInertia = Quantity::any("kg m^2");
-inline constexpr Quantity kDirection = Quantity::any("");
-inline constexpr Quantity kVelocity = Quantity::any("m/s");
-inline constexpr Quantity kMoment = Quantity::any("N m");
-inline constexpr Quantity kMomentPerLength = Quantity::any("N");
-
-template <PerhapsConst<PitchControl> P, class Visit>
-void visit_fields(P& control, const Visit& visit) {
-  visit("speed", control.speed, kSpeed, Presence::required);
-  visit("proportional", control.proportional, Quantity::not_negative("s"), Presence::required);
-  visit("integral", control.integral, Quantity::not_negative("rad/rad"), Presence::required);
-  visit("minimum", control.minimum, kAngle, Presence::required);
-  visit("maximum", control.maximum, kAngle, Presence::required);
-}
-
-/// Visits the numbers that may be missing.
-template <PerhapsConst<PitchControl> P, class Visit>
-void visit_options(P& control, const Visit& visit) {
-  visit("half_gain_angle", control.half_gain_angle, Quantity::positive("rad"));
-  visit("rate", control.rate, Quantity::positive("rad/s"));
-  visit("filter", control.filter, Quantity::positive("rad/s"));
-  visit("period", control.period, Quantity::positive("s"));
-}
 
 /// The units of a coordinate of a joint.
 struct CoordinateUnits {
@@ -53,16 +33,30 @@ inline const CoordinateUnits& units_of(JointKind kind, int coordinate) {
   return slides(kind, coordinate) ? kWayUnits : kAngleUnits;
 }
 
-template <PerhapsConst<Hub> H, class Visit>
-void visit_fields(H& hub, const Visit& visit) {
-  const bool is_free = hub.support == HubSupport::free;
-  visit("axis", hub.axis, kDirection, Presence::optional);
-  visit("radius", hub.radius, Quantity::not_negative("m"), Presence::optional);
-  visit("mass", hub.mass, is_free ? Quantity::positive("kg") : Quantity::not_negative("kg"),
-        is_free ? Presence::required : Presence::optional);
-  visit("center", hub.center, kLength, Presence::optional);
-  visit("velocity", hub.velocity, kVelocity, Presence::optional);
-  visit("angular_velocity", hub.angular_velocity, kSpeed, Presence::optional);
+// The rows of structures, by which visit_fields() goes.
+inline keys::Rows rows_of(const Hub&) { return keys::kSpaceHubRows; }
+inline keys::Rows rows_of(const Beam&) { return keys::kBeamRows; }
+inline keys::Rows rows_of(const Blade&) { return keys::kSpaceBladeRows; }
+inline keys::Rows rows_of(const Subsystem&) { return keys::kSubsystemRows; }
+inline keys::Rows rows_of(const PointMass&) { return keys::kSpacePointMassRows; }
+inline keys::Rows rows_of(const RigidBody&) { return keys::kRigidBodyRows; }
+inline keys::Rows rows_of(const Suspension&) { return keys::kSuspensionRows; }
+inline keys::Rows rows_of(const Fuselage&) { return keys::kFuselageRows; }
+inline keys::Rows rows_of(const Axle&) { return keys::kAxleRows; }
+inline keys::Rows rows_of(const SolidMaterial&) { return keys::kMaterialRows; }
+inline keys::Rows rows_of(const PlaneNodes&) { return keys::kPlaneNodesRows; }
+inline keys::Rows rows_of(const CylinderNodes&) { return keys::kCylinderNodesRows; }
+inline keys::Rows rows_of(const BoxNodes&) { return keys::kBoxNodesRows; }
+inline keys::Rows rows_of(const Joint&) { return keys::kJointRows; }
+inline keys::Rows rows_of(const PointLoad&) { return keys::kSpacePointLoadRows; }
+inline keys::Rows rows_of(const DistributedLoad&) { return keys::kSpaceDistributedLoadRows; }
+inline keys::Rows rows_of(const HubLoad&) { return keys::kSpaceHubLoadRows; }
+
+template <HasRows S, class Visit>
+void visit_fields(S& of, const Visit& visit) {
+  keys::visit_numbers<Vector>(rows_of(of), of, visit);
+  if constexpr (IsLoad<S>)
+    keys::visit_numbers<Vector>(keys::kLoadCourseRows<std::remove_const_t<S>>, of, visit);
 }
 
 template <PerhapsConst<VectorHarmonic> V, class Visit>
@@ -74,117 +68,23 @@ void visit_fields(V& course, std::string_view unit, const Visit& visit) {
   visit("phase", course.phase, kAngle, Presence::optional);
 }
 
-template <PerhapsConst<Beam> B, class Visit>
-void visit_fields(B& beam, const Visit& visit) {
-  visit("length", beam.length, Quantity::positive("m"), Presence::required);
-  visit("bodies", beam.bodies, Count{1, kMostOfAKind}, Presence::optional);
-  visit("elements", beam.elements, Count{1, kMostOfAKind}, Presence::optional);
-}
-
-template <PerhapsConst<Blade> B, class Visit>
-void visit_fields(B& blade, const Visit& visit) {
-  visit("azimuth", blade.azimuth, kAngle, Presence::optional);
-  visit("precone", blade.precone, kAngle, Presence::optional);
-}
-
-template <PerhapsConst<Subsystem> S, class Visit>
-void visit_fields(S& subsystem, const Visit& visit) {
-  visit("azimuth", subsystem.azimuth, kAngle, Presence::optional);
-}
-
-template <PerhapsConst<PointMass> P, class Visit>
-void visit_fields(P& point, const Visit& visit) {
-  visit("position", point.position, kStation, Presence::required);
-  visit("mass", point.mass, Quantity::positive("kg"), Presence::required);
-  visit("offset", point.offset, kLength, Presence::optional);
-}
-
-template <PerhapsConst<RigidBody> R, class Visit>
-void visit_fields(R& body, const Visit& visit) {
-  visit("mass", body.mass, Quantity::positive("kg"), Presence::required);
-  visit("center", body.center, kLength, Presence::optional);
-}
-
-template <PerhapsConst<Suspension> S, class Visit>
-void visit_fields(S& suspension, const Visit& visit) {
-  visit("mass", suspension.mass, Quantity::positive("kg"), Presence::required);
-  visit("center", suspension.center, kLength, Presence::optional);
-}
-
-template <PerhapsConst<Fuselage> F, class Visit>
-void visit_fields(F& fuselage, const Visit& visit) {
-  visit("mass", fuselage.mass, Quantity::positive("kg"), Presence::required);
-  visit("center", fuselage.center, kLength, Presence::optional);
-  visit("position", fuselage.position, kLength, Presence::optional);
-  visit("attitude", fuselage.attitude, kAngle, Presence::optional);
-  visit("velocity", fuselage.velocity, kVelocity, Presence::optional);
-  visit("angular_velocity", fuselage.angular_velocity, kSpeed, Presence::optional);
-}
-
-template <PerhapsConst<Axle> A, class Visit>
-void visit_fields(A& axle, const Visit& visit) {
-  visit("offset", axle.offset, kLength, Presence::optional);
-  visit("orientation", axle.orientation, kAngle, Presence::optional);
-}
-
-inline constexpr Quantity kTraction = Quantity::any("Pa");
-inline constexpr Quantity kFrequency = Quantity::positive("Hz");
-inline constexpr Quantity kDampingRatio = Quantity::not_negative("");
-inline constexpr Quantity kLengthScale = Quantity::positive("");
-inline constexpr Count kModes{0, 10'000};
-
-template <PerhapsConst<SolidMaterial> M, class Visit>
-void visit_fields(M& material, const Visit& visit) {
-  visit("youngs_modulus", material.youngs_modulus, Quantity::positive("Pa"), Presence::required);
-  visit("poissons_ratio", material.poissons_ratio, Quantity::inside(-1.0, 0.5), Presence::required);
-  visit("density", material.density, Quantity::positive("kg/m^3"), Presence::required);
-}
-
-template <PerhapsConst<PlaneNodes> N, class Visit>
-void visit_fields(N& plane, const Visit& visit) {
-  visit("point", plane.point, kLength, Presence::required);
-  visit("normal", plane.normal, kDirection, Presence::required);
-  visit("tolerance", plane.tolerance, Quantity::positive("m"), Presence::optional);
-}
-template <PerhapsConst<CylinderNodes> N, class Visit>
-void visit_fields(N& cylinder, const Visit& visit) {
-  visit("point", cylinder.point, kLength, Presence::required);
-  visit("axis", cylinder.axis, kDirection, Presence::required);
-  visit("radius", cylinder.radius, Quantity::positive("m"), Presence::required);
-  visit("tolerance", cylinder.tolerance, Quantity::positive("m"), Presence::optional);
-}
-template <PerhapsConst<BoxNodes> N, class Visit>
-void visit_fields(N& box, const Visit& visit) {
-  visit("from", box.from, kLength, Presence::required);
-  visit("to", box.to, kLength, Presence::required);
-}
-
 /// Visits the arrays of sections that hold a number for each station. visit(key, values, quantity);
 /// material arrays are all but those of the shape.
 template <PerhapsConst<Sections> S, class Visit>
 void visit_stiffnesses(S& s, const Visit& visit) {
-  visit("axial_stiffness", s.axial_stiffness, Quantity::positive("N"));
-  visit("flap_stiffness", s.flap_stiffness, Quantity::positive("N m^2"));
-  visit("lag_stiffness", s.lag_stiffness, Quantity::positive("N m^2"));
-  visit("torsion_stiffness", s.torsion_stiffness, Quantity::positive("N m^2"));
+  keys::visit_stations(keys::kStiffnessRows, s, visit);
 }
 template <PerhapsConst<Sections> S, class Visit>
 void visit_shear_stiffnesses(S& s, const Visit& visit) {
-  visit("flap_shear_stiffness", s.flap_shear_stiffness, Quantity::positive("N"));
-  visit("lag_shear_stiffness", s.lag_shear_stiffness, Quantity::positive("N"));
+  keys::visit_stations(keys::kShearStiffnessRows, s, visit);
 }
 template <PerhapsConst<Sections> S, class Visit>
 void visit_inertias(S& s, const Visit& visit) {
-  visit("flap_inertia", s.flap_inertia, Quantity::positive("kg m"));
-  visit("lag_inertia", s.lag_inertia, Quantity::positive("kg m"));
+  keys::visit_stations(keys::kSectionInertiaRows, s, visit);
 }
 template <PerhapsConst<Sections> S, class Visit>
 void visit_shape(S& s, const Visit& visit) {
-  visit("twist", s.twist, kAngle);
-  visit("sweep", s.sweep, kLength);
-  visit("prebend", s.prebend, kLength);
-  visit("chord", s.chord, Quantity::not_negative("m"));
-  visit("thickness", s.thickness, Quantity::not_negative("m"));
+  keys::visit_stations(keys::kSectionShapeRows, s, visit);
 }
 /// Visits the arrays that hold two numbers for each station.
 template <PerhapsConst<Sections> S, class Visit>
@@ -219,43 +119,10 @@ void visit_fields(C& coordinate, const CoordinateUnits& unit, const Visit& visit
   visit("initial_speed", coordinate.initial_speed, Quantity::any(unit.speed));
 }
 
-template <PerhapsConst<Joint> J, class Visit>
-void visit_fields(J& joint, const Visit& visit) {
-  visit("offset", joint.offset, kLength, Presence::optional);
-  visit("orientation", joint.orientation, kAngle, Presence::optional);
-}
-
-template <PerhapsConst<PointLoad> L, class Visit>
-void visit_fields(L& load, const Visit& visit) {
-  visit("force", load.force, kForce, Presence::optional);
-  visit("moment", load.moment, kMoment, Presence::optional);
-  visit("ramp", load.ramp, kRamp, Presence::optional);
-}
-
-template <PerhapsConst<DistributedLoad> L, class Visit>
-void visit_fields(L& load, const Visit& visit) {
-  visit("force_per_length", load.force_per_length, kForcePerLength, Presence::optional);
-  visit("moment_per_length", load.moment_per_length, kMomentPerLength, Presence::optional);
-  visit("ramp", load.ramp, kRamp, Presence::optional);
-}
-
-template <PerhapsConst<HubLoad> L, class Visit>
-void visit_fields(L& load, const Visit& visit) {
-  visit("position", load.position, kLength, Presence::optional);
-  visit("force", load.force, kForce, Presence::optional);
-  visit("torque", load.torque, kMoment, Presence::optional);
-  visit("ramp", load.ramp, kRamp, Presence::optional);
-}
-
-inline constexpr Quantity kReynolds = Quantity::not_negative("");
-inline constexpr Quantity kCoefficient = Quantity::any("");
-
 /// Visits the arrays of a blade's aerodynamics that hold a number for each station.
 template <PerhapsConst<BladeAerodynamics> A, class Visit>
 void visit_stations(A& aerodynamics, const Visit& visit) {
-  visit("chord", aerodynamics.chord, Quantity::not_negative("m"));
-  visit("twist", aerodynamics.twist, kAngle);
-  visit("center", aerodynamics.center, kLength);
+  keys::visit_stations(keys::kBladeAerodynamicsRows, aerodynamics, visit);
 }
 
 }  // namespace spoke::spatial

@@ -4,13 +4,14 @@
 #include <numbers>
 #include <set>
 
-#include "models/reader/blade_sections.h"
 #include "models/reader/loop_reader.h"
+#include "models/reader/row_reader.h"
 #include "models/reader/spatial/body_reader.h"
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/joint_reader.h"
 #include "models/reader/spatial/section_reader.h"
 #include "models/reader/spatial/solid_reader.h"
+#include "models/reader/spatial/spatial_fields.h"
 #include "models/reader/spatial/vector_reader.h"
 
 namespace spoke::spatial {
@@ -21,7 +22,7 @@ std::string read_name(const TomlSection& section, std::string_view key) {
   return section.text(key, "");
 }
 
-TomlSection::Keys rigid_keys() { return {"mass", "center", "inertia"}; }
+TomlSection::Keys rigid_keys() { return keys::keys_of(keys::kRigidBodyRows); }
 
 /// Refuses keys of the other kinds of bodies, which would be ignored.
 void check_kind_keys(const TomlSection& section, const TomlSection::Keys& own, const char* kind) {
@@ -34,20 +35,16 @@ void check_kind_keys(const TomlSection& section, const TomlSection::Keys& own, c
 Beam read_beam(const TomlSection& section) {
   check_kind_keys(section, beam_keys(), "beam");
   Beam beam;
-  visit_fields(beam, FieldReader{section});
+  keys::read(section, keys::kBeamRows, &beam);
   beam.sections = read_sections(section, beam.length);
   beam.point_masses = read_point_masses(section);
-  beam.geometric_stiffening = section.flag("geometric_stiffening", beam.geometric_stiffening);
-  beam.reference_frame = section.choice(
-      "reference_frame", {ReferenceFrame::clamped, ReferenceFrame::chord}, beam.reference_frame);
-  beam.strain = read_strain(section);
   return beam;
 }
 
 RigidBody read_rigid_body(const TomlSection& section) {
   check_kind_keys(section, rigid_keys(), "rigid");
   RigidBody body;
-  visit_fields(body, VectorReader{section});
+  keys::read(section, keys::kRigidBodyRows, &body);
   body.inertia = read_inertia(section, "inertia", MayBeZero::no);
   return body;
 }
@@ -86,18 +83,14 @@ SubsystemJoint read_subsystem_joint(const TomlSection& section, const Subsystem&
 }
 
 TomlSection::Keys all_body_keys() {
-  TomlSection::Keys body_keys = beam_keys();
-  body_keys.insert(body_keys.end(), {"name", "kind"});
-  for (const TomlSection::Keys& others : {rigid_keys(), solid_keys()})
-    body_keys.insert(body_keys.end(), others.begin(), others.end());
-  return body_keys;
+  return keys::keys_of(keys::kBeamRows, keys::kBodyRows, keys::kRigidBodyRows, keys::kSolidRows);
 }
 
 Subsystem read_subsystem(const TomlSection& section, const Model& model, const std::string& folder,
                          const std::vector<Subsystem>& before) {
   Subsystem subsystem;
   subsystem.name = read_name(section, "name");
-  visit_fields(subsystem, FieldReader{section});
+  keys::read(section, keys::kSubsystemRows, &subsystem);
   if (subsystem.name == kSupportName)
     section.fail("name", "is \"support\", which is the name of [support]; expected another one");
   read_tree(section, model, folder, before, subsystem);
@@ -122,14 +115,10 @@ std::vector<Subsystem> copy(const TomlSection& section, const Subsystem& subsyst
 
 /// Returns the tables of subsystems.
 std::vector<TomlSection> find_tables(const TomlSection& root) {
-  TomlSection::Keys keys = tree_keys();
-  keys.insert(keys.begin(), {"name", "azimuth", "count"});
-  return root.sections("subsystem", keys);
+  return root.sections("subsystem", keys::keys_of(keys::kSubsystemRows, keys::kTreeRows));
 }
 
 }  // namespace
-
-TomlSection::Keys tree_keys() { return {"body", "joint", "loop"}; }
 
 std::optional<double> read_station(const TomlSection& section, const Subsystem& tree,
                                    const std::string& body) {
@@ -148,12 +137,11 @@ std::optional<double> read_station(const TomlSection& section, const Subsystem& 
 
 void read_tree(const TomlSection& section, const Model& model, const std::string& folder,
                const std::vector<Subsystem>& before, Subsystem& tree) {
-  TomlSection::Keys keys = joint_keys();
-  keys.insert(keys.end(), {"parent", "child", "station", "node", "interface"});
+  const TomlSection::Keys joint_keys = keys::keys_of(keys::kJointRows, keys::kSubsystemJointRows);
   const TreeBase base = base_of(tree, model);
   for (const TomlSection& table : section.sections("body", all_body_keys()))
     tree.bodies.push_back(read_body(table, {folder, before}, tree));
-  for (const TomlSection& table : section.sections("joint", keys))
+  for (const TomlSection& table : section.sections("joint", joint_keys))
     tree.joints.push_back(read_subsystem_joint(table, tree, base));
   if (const Fault fault = find_fault(tree, base)) section.fail_at(fault.path, fault.text);
   tree.loops = read_loops(section, surroundings_of(tree, model));

@@ -4,15 +4,13 @@
 
 #include <algorithm>
 
+#include "models/reader/row_reader.h"
 #include "models/reader/spatial/body_reader.h"
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/vector_reader.h"
 
 namespace spoke::spatial {
 namespace {
-
-const TomlSection::Keys kFuselageKeys = {"mass",     "center",   "inertia",         "position",
-                                         "attitude", "velocity", "angular_velocity"};
 
 /// Reads six numbers, one for each direction.
 void read_directions(const TomlSection& section, std::string_view key, std::string_view unit,
@@ -23,15 +21,14 @@ void read_directions(const TomlSection& section, std::string_view key, std::stri
 
 /// Reads where the axle stands. What the support stands on may carry it, by its name.
 Axle read_axle(const TomlSection& support, const Subsystem& tree, SupportBase from) {
-  const TomlSection section =
-      support.section("axle", {"body", "station", "node", "interface", "offset", "orientation"});
+  const TomlSection section = support.section("axle", keys::keys_of(keys::kAxleRows));
   Axle axle;
   axle.body = section.text("body", "");
   if (!section.has("body") && !tree.bodies.empty())
     section.fail("body", "is missing, expected the name of the body that carries the axle");
   axle.station = read_station(section, tree, axle.body);
   axle.interface = section.text("interface", "");
-  visit_fields(axle, VectorReader{section});
+  keys::read(section, keys::kAxleRows, &axle);
   if (from == SupportBase::free && axle.body == base_name(from)) axle.body.clear();
   return axle;
 }
@@ -39,24 +36,20 @@ Axle read_axle(const TomlSection& support, const Subsystem& tree, SupportBase fr
 }  // namespace
 
 TomlSection support_section(const TomlSection& root) {
-  TomlSection::Keys keys = tree_keys();
-  keys.insert(keys.begin(), kFuselageKeys.begin(), kFuselageKeys.end());
-  keys.insert(keys.begin(), "from");
-  keys.push_back("axle");
-  return root.section(kSupportName, keys);
+  return root.section(kSupportName, keys::keys_of(keys::kSupportRows, keys::kFuselageRows,
+                                                  keys::kTreeRows, keys::kSupportAxleRows));
 }
 
 Support read_base(const TomlSection& section) {
   Support support;
-  support.from =
-      section.choice("from", {SupportBase::ground, SupportBase::free}, SupportBase::ground);
+  keys::read(section, keys::kSupportRows, &support);
   if (support.from == SupportBase::ground) {
-    for (const std::string_view key : kFuselageKeys)
+    for (const std::string_view key : keys::keys_of(keys::kFuselageRows))
       if (section.has(key))
         section.fail(key, "belongs to a fuselage, expected only with from = \"free\"");
     return support;
   }
-  visit_fields(support.fuselage, VectorReader{section});
+  keys::read(section, keys::kFuselageRows, &support.fuselage);
   support.fuselage.inertia = read_inertia(section, "inertia", MayBeZero::no);
   return support;
 }
@@ -70,16 +63,14 @@ void read_support_tree(const TomlSection& section, const std::string& folder, Mo
   model.subsystems.push_back(std::move(tree));
 }
 
-TomlSection::Keys suspension_keys() {
-  return {"stiffness", "damping", "mass", "center", "inertia"};
-}
+TomlSection::Keys suspension_keys() { return keys::keys_of(keys::kSuspensionRows); }
 
 Suspension read_suspension(const TomlSection& section) {
   Suspension suspension;
   read_directions(section, "stiffness", kBushingUnits.stiffness, suspension.stiffness);
   if (section.has("damping"))
     read_directions(section, "damping", kBushingUnits.damping, suspension.damping);
-  visit_fields(suspension, VectorReader{section});
+  keys::read(section, keys::kSuspensionRows, &suspension);
   suspension.inertia = read_inertia(section, "inertia", MayBeZero::no);
   if (const Fault fault = find_fault(suspension)) section.fail_at(fault.path, fault.text);
   return suspension;

@@ -85,10 +85,10 @@ VectorCourse read_course(const TomlSection& section, std::string_view key, std::
                          const VectorShape& shape) {
   if (!section.has(key)) return VectorHarmonic{};
   const TomlSection::Keys components(shape.names.begin(), shape.names.begin() + shape.count);
-  TomlSection::Keys keys = components;
-  keys.insert(keys.begin(), "time");
-  keys.insert(keys.end(), {"constant", "rate", "amplitude", "frequency", "phase"});
-  const TomlSection table = section.section(key, keys);
+  TomlSection::Keys known = components;
+  known.insert(known.begin(), "time");
+  known.insert(known.end(), {"constant", "rate", "amplitude", "frequency", "phase"});
+  const TomlSection table = section.section(key, known);
   if (table.has("time")) return read_table(table, Quantity::any(unit), shape);
   for (const std::string_view component : components)
     if (table.has(component)) table.fail(component, "would be ignored, expected only with time");

@@ -4,32 +4,23 @@
 
 #include <filesystem>
 
-#include "models/air/wind_rules.h"
+#include "models/air/wind_keys.h"
+#include "models/reader/row_reader.h"
 #include "models/reader/spatial/joint_json.h"
 
 namespace spoke::spatial {
 namespace {
 
-/// Writes the numbers that wind_rules.h lists.
-template <class Table>
-Json numbers_to_json(const Table& table) {
-  Json json = Json::object();
-  air::visit_fields(table, [&](std::string_view key, const auto& value, const auto&, air::Given) {
-    json.set(key, value);
-  });
-  return json;
-}
-
 Json to_json(const WindGust& gust) {
-  Json json = numbers_to_json(gust);
-  json.set("shape", name_of(gust.shape));
+  Json json = Json::object();
+  keys::write(keys::kGustRows, &gust, json);
   return json;
 }
 
 Json to_json(const WindTurbulence& turbulence) {
-  Json json = numbers_to_json(turbulence);
-  json.set("spectrum", name_of(turbulence.spectrum));
-  json.set("coherence", name_of(turbulence.coherence));
+  Json json = Json::object();
+  keys::write_numbers(keys::kTurbulenceRows, &turbulence, json);
+  keys::write_words(keys::kTurbulenceRows, &turbulence, json);
   if (turbulence.length_scale) json.set("length_scale", *turbulence.length_scale);
   const auto& ratios = turbulence.deviation_ratio;
   json.set("deviation_ratio", Json::array({ratios[0], ratios[1], ratios[2]}));

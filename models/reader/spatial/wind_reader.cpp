@@ -5,35 +5,16 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <type_traits>
 
 #include "models/air/wind_kept.h"
 #include "models/air/wind_rules.h"
 #include "models/reader/curve_reader.h"
-#include "models/reader/field_reader.h"
+#include "models/reader/row_reader.h"
 #include "models/reader/spatial/vector_reader.h"
 #include "spoke/error.h"
 
 namespace spoke::spatial {
 namespace {
-
-/// Reads the numbers that wind_rules.h lists.
-template <class Table>
-void read_numbers(const TomlSection& section, Table& table) {
-  air::visit_fields(
-      table, [&](std::string_view key, auto& value, const auto& range, air::Given given) {
-        FieldReader{section}(key, value, range,
-                             given == air::Given::always ? Presence::required : Presence::optional);
-      });
-}
-
-WindGust read_gust(const TomlSection& section) {
-  WindGust gust;
-  read_numbers(section, gust);
-  gust.shape =
-      section.choice("shape", {GustShape::one_minus_cosine, GustShape::operating}, gust.shape);
-  return gust;
-}
 
 /// Reads the numbers of points of a grid: of both sides, or [across, upwards].
 std::array<int, 2> read_points(const TomlSection& section) {
@@ -52,18 +33,11 @@ std::array<int, 2> read_points(const TomlSection& section) {
 
 WindTurbulence read_turbulence(const TomlSection& section) {
   WindTurbulence turbulence;
-  read_numbers(section, turbulence);
-  turbulence.spectrum =
-      section.choice("spectrum", {TurbulenceSpectrum::kaimal}, turbulence.spectrum);
-  turbulence.coherence =
-      section.choice("coherence", {Coherence::longitudinal, Coherence::all}, turbulence.coherence);
-  if (section.has("length_scale"))
-    turbulence.length_scale = section.number("length_scale", air::kTurbulenceScale);
+  keys::read(section, keys::kTurbulenceRows, &turbulence);
   if (section.has("deviation_ratio")) {
     const std::vector<double> ratios = section.numbers("deviation_ratio", air::kDeviationRatio, 3);
     std::copy(ratios.begin(), ratios.end(), turbulence.deviation_ratio.begin());
   }
-  if (section.has("height")) turbulence.height = section.number("height", air::kBoxHeight);
   if (section.has("points")) turbulence.points = read_points(section);
   return turbulence;
 }
@@ -103,10 +77,7 @@ void keep(const TomlSection& section, Wind& wind) {
 
 }  // namespace
 
-TomlSection::Keys wind_keys() {
-  return {"velocity", "time", "speed",      "file", "shear_exponent", "reference_height", "up",
-          "ground",   "gust", "turbulence", "by"};
-}
+TomlSection::Keys wind_keys() { return keys::keys_of(keys::kWindRows); }
 
 Wind read_wind(const TomlSection& section, const std::string& folder) {
   Wind wind;
@@ -117,12 +88,11 @@ Wind read_wind(const TomlSection& section, const std::string& folder) {
   read_speed(section, wind);
   if (section.has("file")) wind.file = read_file(section, folder);
   if (section.has("gust"))
-    wind.gust = read_gust(section.section("gust", {"amplitude", "start", "duration", "shape"}));
+    keys::read(section.section("gust", keys::keys_of(keys::kGustRows)), keys::kGustRows,
+               &wind.gust.emplace());
   if (section.has("turbulence"))
-    wind.turbulence = read_turbulence(section.section(
-        "turbulence",
-        {"intensity", "seed", "spectrum", "length_scale", "deviation_ratio", "coherence",
-         "coherence_decay", "width", "height", "points", "time_step", "duration"}));
+    wind.turbulence =
+        read_turbulence(section.section("turbulence", keys::keys_of(keys::kTurbulenceRows)));
   keep(section, wind);
   return wind;
 }
