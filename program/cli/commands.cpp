@@ -82,6 +82,17 @@ void add_wind(CLI::App& command, Arguments& arguments) {
   command.footer(std::string(kWindText) + '\n' + kStatusText);
 }
 
+void add_schema(CLI::App& command, Arguments& arguments) {
+  CLI::Option* const json = command.add_flag(
+      "--json", arguments.prints_json,
+      "Print a JSON schema (draft 7), by which editors complete and check scenarios");
+  command
+      .add_flag("--markdown", arguments.prints_markdown,
+                "Print tables in Markdown: key, meaning, unit, default, range")
+      ->excludes(json);
+  command.footer(std::string(kSchemaText) + '\n' + kStatusText);
+}
+
 void add_trace(CLI::App& trace, Arguments& arguments) {
   add_common(trace, arguments);
   add_out(trace, arguments, "results/<name of the scenario>/trace");
@@ -107,6 +118,7 @@ std::vector<Command> make_commands() {
       {.name = "performance", .add_options = add_performance, .execute = find_performance},
       {.name = "linearize", .add_options = add_linearize, .execute = linearize},
       {.name = "wind", .add_options = add_wind, .execute = write_wind},
+      {.name = "schema", .add_options = add_schema, .execute = print_schema, .prints_result = true},
       {.name = "trace", .add_options = add_trace, .execute = trace},
   });
 }

@@ -43,6 +43,9 @@ int find_performance(const Arguments& arguments);
 /// Writes the wind of a scenario with turbulence as a file of TurbSim. Throws InputError.
 int write_wind(const Arguments& arguments);
 
+/// Prints the keys that scenarios may have. Throws InputError.
+int print_schema(const Arguments& arguments);
+
 /// Linearises a scenario's model, prints its size and writes its matrices. Throws InputError and
 /// DivergenceError.
 int linearize(const Arguments& arguments);

@@ -190,6 +190,16 @@ Examples:
   spoke wind models/nrel_5mw_in_wind.toml --set wind.turbulence.seed=2 --out wind_2.bts
 )";
 
+const char* const kSchemaText =
+    R"(Prints every key that a scenario may have, with its meaning, unit, default and range. An editor that
+knows TOML completes and checks scenarios by the JSON schema: see docs/scenario.md. Rules over several
+keys are not in it; spoke check knows them.
+
+Examples:
+  spoke schema --json > spoke.schema.json
+  spoke schema --markdown
+)";
+
 const char* const kTraceText =
     R"(Records which thread runs which node of the step graph when, in the steps that follow --from. The
 steps are those of spoke run: same graph, same executor, same bits. Steps that are less than half a

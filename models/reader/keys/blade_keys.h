@@ -72,6 +72,7 @@ inline constexpr std::array kBladeSectionsRows{
     by_hand(
         "station", kNumbers, kStation,
         "distances from the root, each greater than the one before; the first 0, the last `length`")
+        .required()
         .within("2 or more"),
     stations<&BladeSections::mass_per_length>("mass_per_length", Quantity::positive("kg/m"), "ρA")
         .required(),

@@ -52,6 +52,7 @@ inline constexpr std::array kPitchControlRows{
         .within("`minimum` to `maximum`"),
     by_hand("sign", kWhole, "1 or −1: the joint's coordinate is its own `motion` + `sign` θ")
         .from("1")
+        .within("−1 or 1")
         .of(Count{-1, 1}),
     option<&PitchControl::period>(
         "period", Quantity::positive("s"),

@@ -26,17 +26,24 @@ std::string unit_of(const Row& row) {
   return text;
 }
 
+/// Returns a number as documents write it: "1e-9" without a zero before the 9.
+std::string number_text(double number) {
+  std::string text = describe(number);
+  if (const std::size_t at = text.find("e-0"); at != std::string::npos) text.erase(at + 2, 1);
+  return text;
+}
+
 std::string describe_range(const Quantity& range) {
   const bool has_least = std::isfinite(range.least), has_greatest = std::isfinite(range.greatest);
   if (has_least && has_greatest && range.least_included && range.greatest_included)
-    return describe(range.least) + " to " + describe(range.greatest);
+    return number_text(range.least) + " to " + number_text(range.greatest);
   std::string text;
   if (has_least)
-    text = range.least_included ? describe(range.least) + " or more"
-                                : "greater than " + describe(range.least);
+    text = range.least_included ? number_text(range.least) + " or more"
+                                : "greater than " + number_text(range.least);
   if (has_greatest)
     text += std::string(has_least ? ", " : "") +
-            (range.greatest_included ? "at most " : "less than ") + describe(range.greatest);
+            (range.greatest_included ? "at most " : "less than ") + number_text(range.greatest);
   return text;
 }
 
@@ -56,7 +63,7 @@ std::string default_cell(const Row& row) {
   const void* const made = row.standard();
   switch (row.kind) {
     case Row::Kind::number:
-      return describe(member_of<double>(row, made));
+      return number_text(member_of<double>(row, made));
     case Row::Kind::count:
       return std::to_string(member_of<int>(row, made));
     case Row::Kind::flag:
@@ -65,7 +72,7 @@ std::string default_cell(const Row& row) {
       return quoted(row.word(row.chosen(made)));
     case Row::Kind::vector: {
       const double* const v = &member_of<double>(row, made);
-      return "`[" + describe(v[0]) + ", " + describe(v[1]) + ", " + describe(v[2]) + "]`";
+      return "`[" + number_text(v[0]) + ", " + number_text(v[1]) + ", " + number_text(v[2]) + "]`";
     }
     default:
       return {};
@@ -83,6 +90,12 @@ Part find_part(std::string_view name, std::vector<const Row*>& rows) {
         if (std::find(rows.begin(), rows.end(), &row) == rows.end()) rows.push_back(&row);
     }
   return found;
+}
+
+/// Returns the heading of the column of keys: "key of `[hub]`" if the part is named by its table.
+std::string key_heading(std::string_view name) {
+  if (!name.starts_with('[')) return "key";
+  return "key of `" + std::string(name.substr(0, name.rfind(']') + 1)) + '`';
 }
 
 using Cells = std::array<std::string, 6>;
@@ -132,8 +145,8 @@ std::string to_markdown(std::string_view name) {
     for (std::size_t i = 0; i < is_shown.size(); ++i)
       is_shown[i] = is_shown[i] || !cells[i].empty();
   }
-  std::string text =
-      line_of({"key", "meaning", "unit", "default", "range", std::string(part.more)}, is_shown);
+  std::string text = line_of(
+      {key_heading(name), "meaning", "unit", "default", "range", std::string(part.more)}, is_shown);
   text += '|';
   for (const bool shown : is_shown) text += shown ? "---|" : "";
   text += '\n';

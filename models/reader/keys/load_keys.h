@@ -82,9 +82,11 @@ inline constexpr std::array kDragRows{
     number<&Drag::quadratic>("quadratic", Quantity::not_negative("N s^2/m^2"), "c₂ at one point"),
     by_hand("from", kNumber, kStation,
             "distance of its inner end from the root; only with a coefficient per length")
-        .from("0"),
+        .from("0")
+        .within("0 to less than the blade's length"),
     by_hand("to", kNumber, kStation, "distance of its outer end; likewise")
-        .from("the tip of each blade loaded"),
+        .from("the tip of each blade loaded")
+        .within("greater than `from`, to the blade's length"),
     number<&Drag::linear_per_length>("linear_per_length", Quantity::not_negative("N s/m^2"),
                                      "c₁ per length"),
     number<&Drag::quadratic_per_length>(

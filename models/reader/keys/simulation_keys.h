@@ -2,6 +2,8 @@
 
 // Keys of how a model is simulated, damped and measured.
 
+#include <limits>
+
 #include "models/reader/keys/quantities.h"
 #include "models/scenario.h"
 #include "models/support/key_row.h"
@@ -108,30 +110,23 @@ inline constexpr std::array kDampingRows{
         .with("`stiffness_factor` W / 2")};
 
 inline constexpr std::array kBeamDampingRows{
-    by_hand("flap", kNumber, kFactorOfStiffness,
-            "factor of the stiffness by direction; in space: bending along the section's z")
-        .from("0")
-        .within("0 or more")
+    number<&DirectionDamping::flap>(
+        "flap", kFactorOfStiffness,
+        "factor of the stiffness by direction; in space: bending along the section's z")
         .with("factor W / 2"),
-    by_hand("lag", kNumber, kFactorOfStiffness,
-            "likewise: bending along the section's y; in the plane lag is all of it")
-        .from("0")
-        .within("0 or more")
+    number<&DirectionDamping::lag>(
+        "lag", kFactorOfStiffness,
+        "likewise: bending along the section's y; in the plane lag is all of it")
         .with("factor W / 2"),
-    by_hand("axial", kNumber, kFactorOfStiffness, "likewise: stretch")
-        .from("0")
-        .within("0 or more")
+    number<&DirectionDamping::axial>("axial", kFactorOfStiffness, "likewise: stretch")
         .with("factor W / 2"),
-    by_hand("torsion", kNumber, kFactorOfStiffness, "in space: twist")
-        .from("0")
-        .within("0 or more")
+    number<&DirectionDamping::torsion>("torsion", kFactorOfStiffness, "in space: twist")
         .with("factor W / 2"),
-    by_hand("flap_shear", kNumber, kFactorOfStiffness, "in space: shear along z")
-        .from("`flap`")
-        .within("0 or more"),
-    by_hand("lag_shear", kNumber, kFactorOfStiffness, "in space: shear along y")
-        .from("`lag`")
-        .within("0 or more"),
+    option<&DirectionDamping::flap_shear>("flap_shear", kFactorOfStiffness,
+                                          "in space: shear along z")
+        .from("`flap`"),
+    option<&DirectionDamping::lag_shear>("lag_shear", kFactorOfStiffness, "in space: shear along y")
+        .from("`lag`"),
     by_hand("mu", kNumbers, kFactorOfStiffness,
             "in space, in place of these six: BeamDyn's μ1 to μ6, which are `flap_shear`, "
             "`lag_shear`, `axial`, `lag`, `flap`, `torsion`")
@@ -169,7 +164,7 @@ inline constexpr std::array kSensorRows{
     by_hand("joint", kWhole, "number of the joint, from 1 at the root")
         .from("required for `joint_reaction`")
         .within("1 to the number of bodies")
-        .of(Count{1, kMostOfAKind}),
+        .of(Count{1, std::numeric_limits<int>::max()}),
     by_hand("loop", kText,
             "name of a [closed loop](#bladeloop-closed-loops), which each blade that the sensor is "
             "on must have")
@@ -201,13 +196,13 @@ inline constexpr std::array kSpaceSensorRows{
     by_hand("subsystem", kText, "name of a subsystem, in place of `blade`"),
     by_hand("body", kText,
             "name of its body, for a motion, a section force or the reaction of a joint"),
-    by_hand("position", kNumber, kStation, "distance from the blade's root")
+    by_hand("position", kNumber, kStation, "distance from the root of the blade or the beam")
         .from("the tip of each blade; required for `section_force`")
-        .within("0 to the blade's length"),
+        .within("0 to its length"),
     by_hand("joint", kWhole, "number of the joint, from 1 at the root")
         .from("required for `joint_reaction`")
         .within("1 to the number of bodies")
-        .of(Count{1, kMostOfAKind}),
+        .of(Count{1, std::numeric_limits<int>::max()}),
     by_hand("loop", kText,
             "name of a [closed loop](#bladeloop-closed-loops), which each blade, or the subsystem, "
             "that the sensor is on must have")
@@ -224,8 +219,8 @@ inline constexpr std::array kSpaceSensorRows{
         "hub's, x along the undeformed blade), `\"inertial\"`, `\"section\"` (turns with the cross "
         "section), `\"loop\"` (turns with the place `to` of the loop; of a `distance`, x is along "
         "the rod: its force, positive in tension, or its elongation, and only x is not 0)")
-        .from("the first in the table below")
-        .within("those in the table below")
+        .from("the first of its quantity")
+        .within("those of its [quantity](#sensor-what-is-measured-besides)")
         .among("hub blade inertial section loop")};
 
 }  // namespace spoke::keys

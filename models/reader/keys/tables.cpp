@@ -128,7 +128,7 @@ void add_loads(std::vector<Table>& all) {
   all.push_back({"drag", {{"[[drag]]", kDragRows}, blade, name, course<Drag>()}});
   all.push_back({"hub_load", {name, {"[[hub_load]]", kHubLoadRows}, course<HubLoad>()}});
   all.push_back({"hub_load",
-                 {name, {"[[hub_load]] in space", kSpaceHubLoadRows}, course<spatial::HubLoad>()}});
+                 {{"[[hub_load]] in space", kSpaceHubLoadRows}, name, course<spatial::HubLoad>()}});
 }
 
 void add_air(std::vector<Table>& all) {
