@@ -2,15 +2,18 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <string>
+#include <string_view>
 
 #include "engine/results.h"
 #include "engine/vibration/frequency_limits.h"
 #include "models/count_text.h"
 #include "models/error.h"
+#include "models/reader/keys/simulation_keys.h"
 #include "models/start.h"
 #include "program/cli/build_simulation.h"
 #include "program/cli/commands.h"
@@ -66,9 +69,18 @@ void print_properties(const Simulation& simulation, const Limits& limits) {
   print_line("memory", fmt::format("about {:.3g} MB",
                                    1e-6 * static_cast<double>(simulation.size().memory_bytes)));
   print_limits(limits);
+  const Integration& integration = simulation.scenario().integration;
+  constexpr std::array<std::string_view, 3> kSaid{"method", "step", "duration"};
   print_line("integration",
-             fmt::format("{}, {} of {:.6g} s", name_of(simulation.scenario().integration.method),
-                         counted(simulation.planned_steps(), "step"), simulation.step_size()));
+             fmt::format("{}, {} of {:.6g} s{}", name_of(integration.method),
+                         counted(simulation.planned_steps(), "step"), simulation.step_size(),
+                         keys::describe_others(keys::kIntegrationRows, &integration, kSaid)));
+}
+
+/// Prints the limits that are not the default.
+void print_watched(const spoke::Limits& limits) {
+  const std::string text = keys::describe_others(keys::kLimitsRows, &limits);
+  if (!text.empty()) print_line("limits", text.substr(2));
 }
 
 void warn_of_rk4(const Arguments& arguments, const Simulation& simulation, double largest_step) {
@@ -120,6 +132,7 @@ int check(const Arguments& arguments) {
   const Limits limits = find_limits(simulation);
   print_properties(simulation, limits);
   print_start(scenario);
+  print_watched(scenario.limits);
   print_statistics(scenario.statistics);
   draw(arguments, simulation);
   warn_of_rk4(arguments, simulation, limits.properties.rk4_largest_step);

@@ -5,15 +5,18 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "models/air/wind_field.h"
 #include "models/air/wind_kept.h"
+#include "models/air/wind_keys.h"
 #include "models/count_text.h"
 #include "models/tree/hub_place.h"
 #include "program/cli/report.h"
@@ -94,9 +97,13 @@ std::vector<std::string> describe(const Wind& wind, const Eigen::Vector3d& hub) 
                                 short_number(wind.gust->amplitude), short_number(wind.gust->start),
                                 short_number(wind.gust->duration), name_of(wind.gust->shape)));
   if (wind.turbulence) {
-    lines.push_back(fmt::format("turbulence of {} %, {}, seed {}",
-                                short_number(100.0 * wind.turbulence->intensity),
-                                name_of(wind.turbulence->spectrum), wind.turbulence->seed));
+    // The next line says what the box is.
+    constexpr std::array<std::string_view, 7> kSaid{"intensity", "spectrum",  "seed",    "width",
+                                                    "height",    "time_step", "duration"};
+    lines.push_back(fmt::format(
+        "turbulence of {} %, {}, seed {}{}", short_number(100.0 * wind.turbulence->intensity),
+        name_of(wind.turbulence->spectrum), wind.turbulence->seed,
+        keys::describe_others(keys::kTurbulenceRows, &*wind.turbulence, kSaid)));
     lines.push_back(describe(*air::find_wind(wind)->box()));
   }
   return lines;

@@ -10,11 +10,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "models/count_text.h"
+#include "models/reader/keys/control_keys.h"
 #include "models/tree/space_beam.h"
 #include "models/tree/tree.h"
 #include "program/cli/report.h"
@@ -223,8 +225,11 @@ std::string describe(const PitchControl& control) {
   text += fmt::format("{}, hub to {} rad/s, {} to {} rad", control.sign < 0.0 ? " reversed" : "",
                       number(control.speed), number(control.minimum), number(control.maximum));
   if (control.rate) text += fmt::format(", at most {} rad/s", number(*control.rate));
-  return text + (control.period ? fmt::format(", every {} s", number(*control.period))
-                                : std::string(", every step"));
+  text += control.period ? fmt::format(", every {} s", number(*control.period))
+                         : std::string(", every step");
+  constexpr std::array<std::string_view, 7> kSaid{"speed",   "proportional", "integral", "minimum",
+                                                  "maximum", "rate",         "period"};
+  return text + keys::describe_others(keys::kPitchControlRows, &control, kSaid);
 }
 
 }  // namespace
