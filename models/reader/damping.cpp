@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -19,12 +20,15 @@ constexpr std::size_t kBeamDynFactors = 6;
 /// Calls visit(key, factor, whether the plane has it); shear factors are optional.
 template <PerhapsConst<DirectionDamping> D, class Visit>
 void visit_directions(D& damping, const Visit& visit) {
-  visit("flap", damping.flap, false);
-  visit("lag", damping.lag, true);
-  visit("axial", damping.axial, true);
-  visit("torsion", damping.torsion, false);
-  visit("flap_shear", damping.flap_shear, false);
-  visit("lag_shear", damping.lag_shear, false);
+  const auto visit_key = [&](std::string_view key, auto& factor) {
+    visit(key, factor, key == "lag" || key == "axial");
+  };
+  keys::visit_numbers<void>(
+      keys::kBeamDampingRows, damping,
+      [&](std::string_view key, auto& factor, const auto&, Presence) { visit_key(key, factor); });
+  keys::visit_options(
+      keys::kBeamDampingRows, damping,
+      [&](std::string_view key, auto& factor, const auto&) { visit_key(key, factor); });
 }
 
 bool is_given(double factor) { return factor != 0.0; }
@@ -59,12 +63,12 @@ DirectionDamping read_directions(const TomlSection& section, const DampedBeams& 
   DirectionDamping damping;
   if (section.has("mu")) {
     if (beams.in_plane) section.fail("mu", kOnlyInSpace);
-    visit_directions(damping, [&](const char* key, auto&, bool) {
+    visit_directions(damping, [&](std::string_view key, auto&, bool) {
       if (section.has(key)) section.fail(key, "given along with mu, expected only one of them");
     });
     return from_beamdyn(section.numbers("mu", kFactorOfStiffness, kBeamDynFactors));
   }
-  visit_directions(damping, [&](const char* key, auto& factor, bool is_in_plane) {
+  visit_directions(damping, [&](std::string_view key, auto& factor, bool is_in_plane) {
     if (!section.has(key)) return;
     if (beams.in_plane && !is_in_plane) section.fail(key, kOnlyInSpace);
     factor = section.number(key, kFactorOfStiffness);
@@ -81,14 +85,14 @@ ModeDamping read_modes(const TomlSection& section) {
 
 DampingFault find_fault(const DirectionDamping& damping, const DampedBeams& beams) {
   DampingFault fault;
-  visit_directions(damping, [&](const char* key, const auto& factor, bool is_in_plane) {
+  visit_directions(damping, [&](std::string_view key, const auto& factor, bool is_in_plane) {
     if (!fault.text.empty() || !is_given(factor)) return;
     if (beams.in_plane && !is_in_plane)
-      fault = {key, kOnlyInSpace};
+      fault = {std::string(key), kOnlyInSpace};
     else if (std::string text = range_fault(value_of(factor), kFactorOfStiffness); !text.empty())
-      fault = {key, text};
+      fault = {std::string(key), text};
     else if (!beams.is_any && value_of(factor) != 0.0)
-      fault = {key, kNoBeams};
+      fault = {std::string(key), kNoBeams};
   });
   return fault;
 }
@@ -155,7 +159,7 @@ Damping read_damping(const TomlSection& root, const DampedBeams& beams) {
 Json damping_to_json(const Damping& damping) {
   Json json = {{"mass_factor", damping.mass_factor},
                {"stiffness_factor", damping.stiffness_factor}};
-  visit_directions(damping.directions, [&](const char* key, const auto& factor, bool) {
+  visit_directions(damping.directions, [&](std::string_view key, const auto& factor, bool) {
     if (is_given(factor)) json.set(key, value_of(factor));
   });
   if (!damping.modes.ratios.empty()) json.set("ratios", damping.modes.ratios);

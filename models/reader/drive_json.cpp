@@ -2,54 +2,43 @@
 
 #include "models/reader/drive_json.h"
 
+#include "models/reader/row_reader.h"
+#include "models/reader/scenario_fields.h"
+
 namespace spoke {
 namespace {
 
-void add_drive(const SpinUp& drive, Json& json) {
-  json.set("speed", drive.speed);
-  json.set("ramp", drive.ramp);
-}
-
-void add_drive(const SpinUpHoldSpinDown& drive, Json& json) {
-  json.set("speed", drive.speed);
-  json.set("ramp", drive.ramp);
-  json.set("hold", drive.hold);
-  json.set("ramp_down", drive.ramp_down);
-}
-
-void add_drive(const SpeedTable& drive, Json& json) {
+// Curves come before the numbers.
+template <class D>
+void add_curves(const D&, Json&) {}
+void add_curves(const SpeedTable& drive, Json& json) {
   json.set("time", drive.speed.times());
   json.set("speed", drive.speed.values());
 }
-
-void add_drive(const TorqueDrive& drive, Json& json) {
+void add_curves(const TorqueDrive& drive, Json& json) {
   if (drive.torque.times().size() == 1) {
     json.set("torque", drive.torque.values().front());
   } else {
     json.set("time", drive.torque.times());
     json.set("torque", drive.torque.values());
   }
-  json.set("initial_speed", drive.initial_speed);
 }
-
-void add_drive(const TorqueBySpeed& drive, Json& json) {
+void add_curves(const TorqueBySpeed& drive, Json& json) {
   json.set("speed", drive.torque.times());
   json.set("torque", drive.torque.values());
-  json.set("initial_speed", drive.initial_speed);
-  json.set("ramp", drive.ramp);
 }
 
-void add_drive(const FreeDrive& drive, Json& json) {
-  json.set("initial_speed", drive.initial_speed);
+template <class D>
+void add_drive(const D& drive, Json& json) {
+  add_curves(drive, json);
+  if constexpr (HasRows<D>) keys::write(rows_of(drive), &drive, json);
 }
-void add_drive(const ConstantSpeed& drive, Json& json) { json.set("speed", drive.speed); }
-void add_drive(const FixedDrive&, Json&) {}
 
 }  // namespace
 
 Json drive_to_json(const Drive& drive) {
   Json json = {{"kind", name_of(drive)}};
-  std::visit([&](const auto& d) { add_drive(d, json); }, drive);
+  std::visit([&](const auto& own) { add_drive(own, json); }, drive);
   return json;
 }
 

@@ -5,6 +5,8 @@
 #include "models/reader/damping.h"
 #include "models/reader/drive_json.h"
 #include "models/reader/loop_json.h"
+#include "models/reader/row_reader.h"
+#include "models/reader/scenario_fields.h"
 #include "models/reader/spatial/model_json.h"
 
 namespace spoke {
@@ -13,18 +15,17 @@ namespace {
 Json to_json(const Position& p) { return Json::array({p.x(), p.y()}); }
 
 Json to_json(const Hub& hub) {
-  return {{"support", name_of(hub.support)},
-          {"radius", hub.radius},
-          {"inertia", hub.inertia},
-          {"mass", hub.mass},
-          {"drive", drive_to_json(hub.drive)}};
+  Json json = Json::object();
+  keys::write(keys::kHubRows, &hub, json);
+  json.set("drive", drive_to_json(hub.drive));
+  return json;
 }
 
 Json to_json(const BladeSections& sections) {
-  return {{"station", sections.station},
-          {"mass_per_length", sections.mass_per_length},
-          {"axial_stiffness", sections.axial_stiffness},
-          {"bending_stiffness", sections.bending_stiffness}};
+  Json json = {{"station", sections.station}};
+  visit_properties(sections, [&](std::string_view key, const std::vector<double>& values,
+                                 const Quantity&) { json.set(key, values); });
+  return json;
 }
 
 void add_material(const Blade& blade, Json& json) {
@@ -45,9 +46,11 @@ Json to_json(const Blade& blade, const Rotor& rotor) {
   json.set("reference_frame", name_of(blade.reference_frame));
   if (blade.strain != BeamStrain::automatic) json.set("strain", name_of(blade.strain));
   json.set("azimuth", blade.azimuth);
-  for (const PointMass& point : blade.point_masses)
-    json.append("point_mass",
-                {{"position", point.position}, {"mass", point.mass}, {"inertia", point.inertia}});
+  for (const PointMass& point : blade.point_masses) {
+    Json table = {{"position", point.position}};
+    keys::write(keys::kPointMassRows, &point, table);
+    json.append("point_mass", std::move(table));
+  }
   add_loops(blade.loops, surroundings_of(blade, rotor.hub, rotor.anchors), json);
   return json;
 }
@@ -160,11 +163,9 @@ void add_initial(const Initial& initial, Json& json) {
 }
 
 Json to_json(const Limits& limits) {
-  return {{"deflection", limits.deflection},
-          {"energy_growth", limits.energy_growth},
-          {"on_energy_growth", name_of(limits.on_energy_growth)},
-          {"step_error", limits.step_error},
-          {"momentum", limits.momentum}};
+  Json json = Json::object();
+  keys::write(keys::kLimitsRows, &limits, json);
+  return json;
 }
 
 /// Adds the tables of a rotor in the plane.
@@ -218,7 +219,9 @@ Json scenario_to_json(const Scenario& scenario) {
   add_initial(scenario.initial, json);
   json.set("integration", integration_to_json(scenario));
   json.set("limits", to_json(scenario.limits));
-  json.set("output", {{"interval", scenario.output.interval}});
+  Json output = Json::object();
+  keys::write(keys::kOutputRows, &scenario.output, output);
+  json.set("output", std::move(output));
   if (!scenario.statistics.exponents.empty()) {  // for the reason of add_ramp()
     Json exponents = Json::object();
     for (const auto& [name, exponent] : scenario.statistics.exponents)

@@ -26,14 +26,10 @@ const TomlValue* element_at(const TomlArray& array, const std::string& index) {
 }  // namespace
 
 std::string join_names(const TomlSection::Keys& names) {
-  // Keys of several kinds of a table, put together, may have some in common.
-  TomlSection::Keys once;
-  for (const std::string_view name : names)
-    if (std::find(once.begin(), once.end(), name) == once.end()) once.push_back(name);
   std::string list;
-  for (std::size_t i = 0; i < once.size(); ++i) {
-    if (i > 0) list += i + 1 == once.size() ? " or " : ", ";
-    list += '"' + std::string(once[i]) + '"';
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) list += i + 1 == names.size() ? " or " : ", ";
+    list += '"' + std::string(names[i]) + '"';
   }
   return list;
 }
