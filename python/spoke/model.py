@@ -10,9 +10,10 @@
     sim = spoke.Simulation(scenario)
 
 Each returns a dictionary of the keys that were given; what is left out has the default of
-docs/scenario.md, which also says what each key may be. `more` are keys that only models in space
-have. All quantities are in SI units: m, kg, s, N, Pa, rad. Vectors are sequences of two numbers, in
-space of three. Blades and joints count from 1 here, as in files.
+docs/scenario.md. Arguments are the keys of models in the plane and of those in space; where they
+mean different things there, the second sentence is of space. All quantities are in SI units: m, kg,
+s, N, Pa, rad. Vectors are sequences of two numbers, in space of three. Blades and joints count from
+1 here, as in files.
 """
 
 from ._spoke import (
@@ -26,17 +27,10 @@ from ._spoke import (
     TorqueDrive,
 )
 
-__all__ = [
-    "anchor", "blade", "damping", "distributed_load", "drag", "gravity", "hub", "hub_load", "integration",
-    "limits", "load", "loop", "output", "point_mass", "scenario", "sections", "sensor",
-]
-
 
 def _given(arguments):
     """The table of what was given: of the arguments that are not None."""
-    more = arguments.pop("more", {})
-    table = {key.rstrip("_"): value for key, value in arguments.items() if value is not None}
-    return {**table, **more}
+    return {key.rstrip("_"): value for key, value in arguments.items() if value is not None}
 
 
 def _points(curve, argument, value):
@@ -63,92 +57,351 @@ _DRIVES = {
 }
 
 
-def scenario(*, hub, integration, blade=None, blades=None, title=None, world=None, anchor=None,
-             gravity=None, damping=None, load=None, distributed_load=None, drag=None, hub_load=None,
-             limits=None, output=None, sensor=None, **more):
+# The functions below are written by write_model.py.
+
+__all__ = [
+    "aerodynamics",
+    "air",
+    "airfoil",
+    "anchor",
+    "anchor_motion",
+    "axle",
+    "blade",
+    "blade_aerodynamics",
+    "body",
+    "course",
+    "damping",
+    "distributed_load",
+    "drag",
+    "gravity",
+    "gust",
+    "hub",
+    "hub_load",
+    "initial",
+    "integration",
+    "interface",
+    "joint",
+    "joint_motion",
+    "limits",
+    "load",
+    "loop",
+    "material",
+    "mount",
+    "output",
+    "pitch_control",
+    "place",
+    "point_mass",
+    "polar",
+    "scenario",
+    "sections",
+    "sensor",
+    "statistics",
+    "stop",
+    "subsystem",
+    "support",
+    "suspension",
+    "turbulence",
+    "wind",
+]
+
+
+def scenario(*, integration, title=None, world=None, hub=None, anchor=None, blade=None, blades=None,
+             subsystem=None, support=None, gravity=None, damping=None, load=None,
+             distributed_load=None, drag=None, hub_load=None, control=None, initial=None,
+             limits=None, output=None, sensor=None, air=None, wind=None, aerodynamics=None,
+             airfoil=None, statistics=None):
     """A whole scenario, for spoke.Simulation and spoke.read_scenario().
 
-    hub, integration, blade, gravity, damping, limits, output: tables.
-    anchor, blades, load, distributed_load, drag, hub_load, sensor: lists of tables.
-    title: for people.
-    world: "plane" or "space".
+    title: text printed and written to the results
+    world: "plane", or "space": a model in space
+    hub: the hub in the middle
+    anchor: places that move, for loops to close on
+    blade: blades, all alike
+    blades: blades one by one
+    subsystem: in space: trees of bodies
+    support: in space: what carries the axle
+    gravity: gravity
+    damping: damping of all bodies
+    load: forces and moments at a point
+    distributed_load: forces and moments per length
+    drag: in the plane: drag
+    hub_load: forces and torques on the hub
+    control: in space: control of pitch
+    initial: where the simulation starts
+    integration: how the motion is integrated, and for how long
+    limits: limits of the results
+    output: how often results are written
+    sensor: what is measured besides
+    air: in space: air
+    wind: in space: wind
+    aerodynamics: in space: induction, inflow, stall
+    airfoil: in space: polars
+    statistics: exponents of damage
     """
     return _given(locals())
 
 
-def hub(*, support=None, radius=None, inertia=None, mass=None, drive=None, **more):
+def hub(*, support=None, radius=None, inertia=None, mass=None, drive=None, axis=None, center=None,
+        mount=None, suspension=None, velocity=None, angular_velocity=None):
     """The hub.
 
-    support: "axle" or "free".
-    radius: distance of the blades' roots from the axis [m].
-    inertia: about the axis, without blades [kg m^2].
-    mass: without blades; needed if it is free [kg].
-    drive: a drive such as spoke.SpinUp, or its table.
+    support: "axle": rotates about a fixed point; "free": moves in the plane; or: "axle": turns
+        about its axis, its origin at rest, moved by the mount, or carried by a support; "free":
+        moves in space
+    radius: distance of the blade roots from the hub's axis [m]; or: from the hub's origin to the
+        blades' roots, along the blades [m]
+    inertia: moment of inertia about the hub's axis, without blades [kg m^2]; or: about the centre
+        of mass: [xx, yy, zz], or [xx, yy, zz, xy, xz, yz], the entries of the tensor (xy = −∫ρ x y
+        dV); or one number, about every axis [kg m^2]
+    mass: mass of the hub, without blades; matters only if the hub is free [kg]; or: mass of the hub
+        [kg]
+    drive: what turns the hub, next table; or: what turns the hub about its axis, as in the plane
+    axis: [x, y, z], of any length: of the drive, and the one that the blades stand around
+    center: [x, y, z], centre of mass in the hub's frame [m]
+    mount: motion of what holds the axle
+    suspension: springs under the axle
+    velocity: of a free hub at t = 0 [m/s]
+    angular_velocity: of a free hub at t = 0 [rad/s]
     """
     if type(drive) in _DRIVES:
         drive = _DRIVES[type(drive)](drive)
     return _given(locals())
 
 
-def blade(*, count=None, length=None, bodies=None, elements=None, density=None, area=None,
-          second_moment=None, youngs_modulus=None, sections=None, point_mass=None, loop=None,
-          geometric_stiffening=None, strain=None, reference_frame=None, azimuth=None,
-          **more):
+def mount(*, translation=None, rotation=None):
+    """The motion of what holds the hub's axle, in space.
+
+    translation: a table, see below [m, inertial frame]
+    rotation: likewise, of the rotation vector [rad, inertial frame]
+    """
+    return _given(locals())
+
+
+def suspension(*, stiffness, mass, inertia, damping=None, center=None):
+    """Springs and dampers under the hub's axle, in space.
+
+    stiffness: array of six numbers: along x, y, z, about x, y, z [N/m, N m/rad]
+    damping: likewise [N s/m, N m s/rad]
+    mass: of what stands on the springs beside the rotor: the bearing, the pylon [kg]
+    center: its centre of mass, from the hub's origin [m]
+    inertia: about this centre, as of the hub [kg m^2]
+    """
+    return _given(locals())
+
+
+def course(*, time=None, x=None, y=None, z=None, value=None, constant=None, rate=None,
+           amplitude=None, frequency=None, phase=None):
+    """A motion over time, of a mount or an anchor.
+
+    time: array of times, each greater than the one before [s]
+    x: array of values along x, one for each of time
+    y: array of values along y, one for each of time
+    z: array of values along z, one for each of time
+    value: in the plane: array of angles, one for each of time
+    constant: a vector; of a rotation in the plane a number
+    rate: likewise, per second
+    amplitude: likewise, of a harmonic motion
+    frequency: of the harmonic motion [rad/s]
+    phase: of the harmonic motion [rad]
+    """
+    return _given(locals())
+
+
+def blade(*, length=None, bodies=None, elements=None, density=None, area=None, second_moment=None,
+          youngs_modulus=None, geometric_stiffening=None, reference_frame=None, strain=None,
+          azimuth=None, sections=None, point_mass=None, loop=None, count=None, precone=None,
+          joint=None, aerodynamics=None):
     """All blades alike, or one of several.
 
-    count: number of blades, evenly around the hub.
-    length: from root to tip [m].
-    bodies: flexible bodies along the blade.
-    elements: finite elements of each body.
-    density: mass density [kg/m^3].
-    area: of the cross section [m^2].
-    second_moment: of area, for bending in the plane [m^4].
-    youngs_modulus: [Pa].
-    sections: properties that change along the blade, in place of these four: sections().
-    point_mass: a list of point_mass().
-    loop: a list of loop().
-    geometric_stiffening: whether the tension of rotation stiffens bending within a body.
-    strain: "automatic", "linear" or "nonlinear".
-    reference_frame: "clamped" or "chord".
-    azimuth: direction of the first blade in the hub's frame [rad].
+    length: from root to tip [m]
+    bodies: flexible bodies along the blade
+    elements: finite elements per body
+    density: mass density [kg/m^3]
+    area: area of the cross section [m^2]
+    second_moment: second moment of area for bending in the plane [m^4]
+    youngs_modulus: Young's modulus [Pa]
+    geometric_stiffening: whether bending within a body is stiffened by tension, of rotation,
+        gravity, loads and the motion of the hub, and made softer by compression; without it only
+        the joints between bodies feel that tension
+    reference_frame: where a body's floating frame sits: "clamped" tangent to its inboard end,
+        "chord" through both ends
+    strain: how strains follow from displacements. "nonlinear": to second order, so that a body
+        feels tension and moments on its deformed shape, whatever makes them (formulation.md); one
+        body of eight elements does what four of four did. "linear": tension is that of the
+        undeformed blade, by rotation, gravity, loads and the motion of the hub
+        (geometric_stiffening), in less time. "automatic": "nonlinear" with closed loops, whose
+        tension linear strains do not know, otherwise "linear"; or: how strains follow from
+        displacements. "nonlinear": to second order, so that the beam feels tension, bending moments
+        and torque on its deformed shape, whatever makes them (formulation.md); one body of eight
+        elements does what four of four did. "linear": tension is that of the undeformed tree, by
+        rotation of the hub, gravity and loads (geometric_stiffening): for blades on a hub that
+        turns them: a step of the same bodies then takes a third of the time or less, beside one
+        body of eight elements two thirds to a third. "automatic": "linear" where the drive turns
+        the hub, nothing in the subsystem moves by a joint or is held by a loop, and the centres of
+        its sections lie at its axis; otherwise "nonlinear". spoke check says which. Where "linear"
+        is given and misses tension, there is a warning
+    azimuth: direction of the first blade in the hub's frame, from its x axis counterclockwise [rad]
+    sections: properties that change along the blade, below; or: what the blade is made of, next
+        table
+    point_mass: masses that the blade carries, below
+    loop: closed loops, below; or: closed loops of the blade, below
+    count: number of blades, spaced evenly around the hub
+    precone: angle by which the blade leaves the plane of rotation, its tip towards the axis'
+        direction [rad]
+    joint: joints of the blade, below
+    aerodynamics: chords and aerofoils, on which air acts
     """
     return _given(locals())
 
 
-def sections(*, station=None, mass_per_length=None, axial_stiffness=None, bending_stiffness=None,
-             **more):
-    """Properties along a blade: sequences of equal length, linear in between.
+def sections(*, mass_per_length, axial_stiffness, station=None, bending_stiffness=None,
+             flap_stiffness=None, lag_stiffness=None, torsion_stiffness=None,
+             flap_shear_stiffness=None, lag_shear_stiffness=None, flap_inertia=None,
+             lag_inertia=None, mass_center=None, tension_center=None, shear_center=None,
+             stiffness_6x6=None, mass_6x6=None, matrix_convention=None, twist=None, sweep=None,
+             prebend=None, chord=None, thickness=None):
+    """Properties along a blade or a beam: sequences of equal length, linear in between.
 
-    station: distances from the root, from 0 to the length [m].
-    mass_per_length: [kg/m].
-    axial_stiffness: EA [N].
-    bending_stiffness: EI, for bending in the plane [N m^2].
+    station: distances from the root, each greater than the one before; the first 0, the last length
+        [m]; or: each greater than the one before; the first 0, the last length [m]
+    mass_per_length: ρA [kg/m]; or: per length of the axis, as all that follows [kg/m]
+    axial_stiffness: EA [N]
+    bending_stiffness: EI, for bending in the plane [N m^2]
+    flap_stiffness: ∫ E z² dA about the tension centre [N m^2]
+    lag_stiffness: ∫ E y² dA about the tension centre [N m^2]
+    torsion_stiffness: GJ [N m^2]
+    flap_shear_stiffness: GA along z, with the factor of the section's shape [N]
+    lag_shear_stiffness: likewise, along y [N]
+    flap_inertia: ∫ ρ z² dA about the mass centre [kg m]
+    lag_inertia: ∫ ρ y² dA about the mass centre [kg m]
+    mass_center: arrays [y, z] [m]
+    tension_center: where an axial force bends nothing: arrays [y, z] [m]
+    shear_center: where a shear force twists nothing: arrays [y, z] [m]
+    stiffness_6x6: in place of all stiffnesses, tension_center and shear_center: for each station an
+        array of 36 numbers, row by row, or of the 21 of the upper triangle [N, N m, N m²]
+    mass_6x6: in place of mass_per_length, mass_center and the inertias: likewise [kg/m, kg, kg m]
+    matrix_convention: "spoke" or "beamdyn": the axes of both matrices
+    twist: rotation of the section about +x [rad]
+    sweep: y coordinate of the axis [m]
+    prebend: z coordinate of the axis [m]
+    chord: size of the section along its y, to be shown [m]
+    thickness: size of the section along its z, to be shown [m]
     """
     return _given(locals())
 
 
-def point_mass(*, position, mass, inertia=None, **more):
-    """A mass on a blade.
+def point_mass(*, position, mass, inertia=None, offset=None):
+    """A mass on a blade or a beam.
 
-    position: distance from the root [m].
-    mass: [kg].
-    inertia: about its centre, for rotation in the plane [kg m^2].
+    position: distance from the root [m]; or: station [m]
+    mass: its mass [kg]
+    inertia: its moment of inertia about its centre, for rotation in the plane; with
+        geometric_stiffening = false it feels, wrongly, a moment of ω² inertia times the angle that
+        the section turns [kg m^2]; or: about its centre, in the beam's axes, as of the hub [kg m^2]
+    offset: [x, y, z] of its centre from the axis, in the beam's frame [m]
     """
     return _given(locals())
 
 
-def loop(*, name, kind, from_, to, axis=None, length=None, stiffness=None, damping=None, **more):
-    """A closed loop of a blade: a cut joint between two places.
+def joint(*, kind, name=None, axis=None, axes=None, offset=None, orientation=None, stiffness=None,
+          damping=None, rest=None, stop=None, initial=None, initial_speed=None, hold=None,
+          torque=None, force=None, motion=None, station=None, parent=None, child=None, node=None,
+          interface=None):
+    """A joint of a blade, at a station, or of a subsystem, from parent to child.
 
-    name: unlike that of the blade's other loops.
-    kind: "fixed", "revolute", "prismatic" or "distance".
-    from_: a place on a body, a table with station or point, and orientation.
-    to: another place: "hub", "mount", or a table, also with anchor or body.
-    axis: of a prismatic closure, in the frame of to.
-    length: of a distance; None: that at the start [m].
-    stiffness: of springs in place of a rigid closure, one number, or one for each direction that is
-        locked [N/m, N m/rad].
-    damping: of dampers beside these, likewise [N s/m, N m s/rad].
+    name: of the joint
+    kind: next table
+    axis: [x, y, z], of any length, in the joint's frame
+    axes: two of these, of a universal joint
+    offset: of the joint's frame in the parent's [m]
+    orientation: rotation vector of the joint's frame in the parent's [rad]
+    stiffness: of a spring [N m/rad, N/m]
+    damping: of a damper [N m s/rad, N s/m]
+    rest: coordinate at which the spring is at rest [rad, m]
+    stop: a table, below
+    initial: coordinate at t = 0 [rad, m]
+    initial_speed: its rate at t = 0 [rad/s, m/s]
+    hold: whether both stay as they are given where loops are closed at the start
+    torque: that acts on the child, and against the parent: a number, or a table with time and value
+        [N m]
+    force: likewise, along a prismatic or cylindrical joint's axis [N]
+    motion: a table, below: the coordinate is prescribed, and none of the keys from stiffness to
+        stop may be given for it
+    station: where it is [m]; or: on a parent that is a beam [m]
+    parent: name of a body, or "hub", which may have several children
+    child: name of a body: a beam is joined at its root, a rigid body at the origin of its frame, a
+        solid at its first interface
+    node: in place of station: number of a node, from 0 at the root to bodies · elements at the tip,
+        of equal elements
+    interface: in place of station, on a parent that is a solid: name of one of its interfaces
+    """
+    return _given(locals())
+
+
+def stop(*, lower=None, upper=None, stiffness=None, damping=None, width=None):
+    """A stop of a joint.
+
+    lower: bound below which it sets in [rad, m]
+    upper: bound above which it sets in [rad, m]
+    stiffness: beyond width; both bounds have it [N m/rad, N/m]
+    damping: of a damper that sets in by the same law [N m s/rad, N s/m]
+    width: distance over which it sets in [rad, m]
+    """
+    return _given(locals())
+
+
+def joint_motion(*, constant=None, time=None, value=None, mean=None, cosine=None, sine=None,
+                 by=None, initial=None):
+    """The prescribed motion of a joint.
+
+    constant: this value [rad, m]
+    time: array of times, each greater than the one before [s]
+    value: array of values, one for each of time [rad, m]
+    mean: of a pitch by the azimuth: mean [rad, m]
+    cosine: likewise: factor of the cosine of the azimuth [rad, m]
+    sine: likewise: factor of its sine [rad, m]
+    by: "program": the embedding program says what it is
+    initial: value until the program says one [rad, m]
+    """
+    return _given(locals())
+
+
+def loop(*, name, kind, from_, to, axis=None, length=None, stiffness=None, damping=None, axes=None):
+    """A closed loop: a cut joint between two places.
+
+    name: unlike that of any other loop of the blade
+    kind: the motion of from against to that is left, see below
+    from_: a place on a body, see below
+    to: another place
+    axis: of a prismatic closure, in the frame of to: [x, y], of any length; or: [x, y, z], of any
+        length, in the frame of to
+    length: of a distance [m]
+    stiffness: of springs in place of a rigid closure: a number for all directions that are locked,
+        or an array with one number for each; 0: rigid [N/m, N m/rad]
+    damping: of dampers beside these springs, likewise; a number is for the directions that have
+        springs [N s/m, N m s/rad]
+    axes: two of these, of a universal closure, as they are at the start
+    """
+    return _given(locals())
+
+
+def place(*, body=None, anchor=None, station=None, point=None, orientation=None, interface=None):
+    """A place of a closed loop.
+
+    body: "hub" or "mount"; without it, the place is on the blade; or: name of a body of the
+        subsystem; "hub" or "mount"
+    anchor: name of an anchor, in place of body
+    station: distance from the root, where a body ends [m]; or: on a beam, anywhere: it makes a node
+        there. Where a joint of a blade is, the place is on the part outboard [m]
+    point: [x, y] in the frame of the hub, the mount or the anchor; on a blade from its axis at the
+        station, x along the blade, and turning with the section. Without station its x is the
+        station [m]; or: in the frame of a rigid body, the hub, the mount or the anchor. On a beam
+        from its axis at the station, in the beam's axes, which turn with the section; without
+        station its x is the station. On a solid from the point of the interface, in the axes of the
+        mesh, which turn with it [m]
+    orientation: of the place's frame against what carries it [rad]; or: rotation vector, in these
+        axes [rad]
+    interface: of a solid, in place of station: name of one of its interfaces
     """
     return _given(locals())
 
@@ -156,148 +409,525 @@ def loop(*, name, kind, from_, to, axis=None, length=None, stiffness=None, dampi
 def anchor(*, name, frame=None, turns_with_hub=None, motion=None):
     """A frame whose motion is prescribed, for loops to close on.
 
-    name: unlike that of any other anchor.
-    frame: in which it moves, "mount" or "hub".
-    turns_with_hub: whether it turns with the hub besides.
-    motion: a table with translation and rotation, or with by="program".
+    name: unlike that of any other anchor
+    frame: in which it moves: "mount", in which the hub turns, or "hub"
+    turns_with_hub: whether it turns with the hub besides, by the hub's angle about its own axis,
+        which its motion tilts and moves: the rotating part of a swashplate
+    motion: a table, see below
     """
     return _given(locals())
 
 
-def gravity(*, acceleration, ramp=None):
+def anchor_motion(*, by=None, translation=None, rotation=None):
+    """The motion of an anchor.
+
+    by: "program": the embedding program moves it; translation and rotation are then [x, y] and a
+        number, where it is until the program says so
+    translation: a table: constant + rate · t + amplitude · sin(frequency · t + phase), with
+        constant, rate (per second) and amplitude as [x, y], frequency (rad/s) and phase (rad); or
+        time and arrays x, y [m]
+    rotation: likewise, with numbers in place of [x, y], or time and the array value [rad]
+    """
+    return _given(locals())
+
+
+def subsystem(*, name, azimuth=None, count=None, body=None, joint=None, loop=None):
+    """A tree of bodies on the hub, in space.
+
+    name: its name
+    azimuth: angle about the hub's axis by which its joints on the hub are turned, and what its
+        loops have on the hub, the mount and anchors; added to the hub's angle in motion by the
+        azimuth [rad]
+    count: number of copies around the hub, the first at azimuth, evenly spaced: NAME1, NAME2, ... A
+        load or a sensor on the subsystem NAME is on all of them
+    body: its bodies: beams, rigid bodies and solids
+    joint: its joints, one for each body
+    loop: its closed loops
+    """
+    return _given(locals())
+
+
+def body(*, name, kind, length=None, bodies=None, elements=None, sections=None,
+         reference_frame=None, geometric_stiffening=None, strain=None, point_mass=None, mass=None,
+         center=None, inertia=None, mesh=None, material=None, scale=None, coordinates=None,
+         modes=None, up_to=None, damping=None, interface=None, format=None, stiffness=None,
+         nodes=None, geometric_stiffness=None):
+    """A body of a tree: a beam, a rigid body or a solid.
+
+    length: from root to tip [m]
+    bodies: flexible bodies along the blade
+    elements: finite elements per body
+    sections: what the blade is made of, next table
+    reference_frame: where a body's floating frame sits: "clamped" tangent to its inboard end,
+        "chord" through both ends; or: "clamped": the frame is that of the first interface;
+        "mean_axis": deformation has neither momentum nor moment of momentum, for a body that flies
+        by itself
+    geometric_stiffening: whether bending within a body is stiffened by tension, of rotation,
+        gravity, loads and the motion of the hub, and made softer by compression; without it only
+        the joints between bodies feel that tension; or: whether tension stiffens it
+    strain: how strains follow from displacements. "nonlinear": to second order, so that the beam
+        feels tension, bending moments and torque on its deformed shape, whatever makes them
+        (formulation.md); one body of eight elements does what four of four did. "linear": tension
+        is that of the undeformed tree, by rotation of the hub, gravity and loads
+        (geometric_stiffening): for blades on a hub that turns them: a step of the same bodies then
+        takes a third of the time or less, beside one body of eight elements two thirds to a third.
+        "automatic": "linear" where the drive turns the hub, nothing in the subsystem moves by a
+        joint or is held by a loop, and the centres of its sections lie at its axis; otherwise
+        "nonlinear". spoke check says which. Where "linear" is given and misses tension, there is a
+        warning
+    point_mass: masses that the blade carries, below
+    name: unlike that of any other of the subsystem, and not "hub"
+    kind: "beam", "rigid" or "solid", below
+    mass: of a rigid body [kg]; or: file of the mass matrix
+    center: of a rigid body: centre of mass in the body's frame [m]
+    inertia: of a rigid body: about its centre of mass, as of the hub [kg m^2]
+    mesh: file, relative to the scenario's folder: gmsh .msh 2.2 or 4.1, Abaqus or CalculiX .inp; of
+        tetrahedra with 10 nodes or hexahedra with 20 (those with 4 and 8 are too stiff, and warned
+        of)
+    material: a table with youngs_modulus, poissons_ratio and density [Pa, -, kg/m³]
+    scale: { length = 1e-3 }: metres by the unit of length in the mesh, here mm. material, and all
+        places in the scenario, are in SI always
+    coordinates: "reduced": modes of vibration and of the interfaces; "nodal": the displacements of
+        all nodes, for small meshes and as a check
+    modes: number of vibration modes, with the interfaces held
+    up_to: in place of modes: all below this frequency [Hz]
+    damping: damping ratio of every mode, or an array with one for each mode. [damping] adds to it
+    interface: interfaces, one or more
+    format: of matrices in place of a mesh: the program that wrote them
+    stiffness: file of the stiffness matrix
+    nodes: file of the nodes' places
+    geometric_stiffness: files of its geometric stiffness
+    """
+    return _given(locals())
+
+
+def material(*, youngs_modulus, poissons_ratio, density):
+    """The material of a solid.
+
+    youngs_modulus: Young's modulus [Pa]
+    poissons_ratio: Poisson's ratio
+    density: mass density [kg/m^3]
+    """
+    return _given(locals())
+
+
+def interface(*, name, nodes, kind=None, point=None):
+    """An interface of a solid.
+
+    name: unlike that of any other interface of the body
+    nodes: its nodes, see below
+    kind: "rigid": they move as a rigid body; "average": the interface follows their mean and does
+        not stiffen them
+    point: where joints and loads act, in the axes of the mesh: [x, y, z] [m]
+    """
+    return _given(locals())
+
+
+def support(*, from_=None, mass=None, center=None, inertia=None, position=None, attitude=None,
+            velocity=None, angular_velocity=None, body=None, joint=None, loop=None, axle=None):
+    """What carries the hub's axle, in space.
+
+    from_: "ground": the tree stands on the inertial frame, or on the mount that moves in it;
+        "free": on a fuselage, a rigid body that is free in space
+    mass: of the fuselage; this and the keys below belong to from = "free" [kg]
+    center: its centre of mass, in its frame [m]
+    inertia: about its centre of mass, as of the hub [kg m^2]
+    position: of its origin at t = 0, inertial frame [m]
+    attitude: rotation vector of its frame at t = 0 [rad]
+    velocity: of its origin at t = 0, inertial frame [m/s]
+    angular_velocity: at t = 0, in its frame [rad/s]
+    body: its bodies: beams, rigid bodies and solids
+    joint: its joints, one for each body
+    loop: its closed loops
+    axle: where the tree carries the hub: [support.axle]
+    """
+    return _given(locals())
+
+
+def axle(*, body=None, station=None, node=None, interface=None, offset=None, orientation=None):
+    """Where a support carries the hub.
+
+    body: name of the body that carries the axle; a fuselage is named "fuselage"
+    station: the place on a beam; it may be anywhere, and makes a node there [m]
+    node: in place of station: number of a node, as of a joint's parent
+    interface: the place on a solid: name of one of its interfaces
+    offset: of the hub's frame in that of the carrier at this place [m]
+    orientation: rotation vector of the hub's frame, at a hub angle of 0, in the same frame [rad]
+    """
+    return _given(locals())
+
+
+def gravity(*, acceleration=None, ramp=None):
     """Gravity.
 
-    acceleration: in the inertial frame [m/s^2].
-    ramp: its rise [s].
+    acceleration: [x, y] in the inertial frame [m/s^2]; or: [x, y, z] in the inertial frame [m/s^2]
+    ramp: its rise; 0: all of it from the start [s]
     """
     return _given(locals())
 
 
-def damping(*, mass_factor=None, stiffness_factor=None, flap=None, lag=None, axial=None, torsion=None,
-            flap_shear=None, lag_shear=None, mu=None, ratios=None, above=None):
-    """Damping of the deformation: Rayleigh's of every body, and of beams by direction and by mode.
+def damping(*, mass_factor=None, stiffness_factor=None, flap=None, lag=None, axial=None,
+            torsion=None, flap_shear=None, lag_shear=None, mu=None, ratios=None, above=None):
+    """Damping of the deformation of bodies.
 
-    mass_factor: of the mass matrix [1/s].
-    stiffness_factor: of the stiffness matrix [s].
-    flap, lag, axial, torsion, flap_shear, lag_shear: factors of the stiffness by direction [s]; in the plane
-        lag and axial.
-    mu: in place of these six, in BeamDyn's order [s]: shear in flap and lag, axial, lag, flap, torsion.
-    ratios: damping ratios of the lowest modes of each beam at rest, held at its root.
-    above: damping ratio of the mode above these; higher ones have more by their frequency.
+    mass_factor: factor of the mass matrix of the deformation coordinates [1/s]
+    stiffness_factor: factor of the stiffness matrix [s]
+    flap: factor of the stiffness by direction; in space: bending along the section's z [s]
+    lag: likewise: bending along the section's y; in the plane lag is all of it [s]
+    axial: likewise: stretch [s]
+    torsion: in space: twist [s]
+    flap_shear: in space: shear along z [s]
+    lag_shear: in space: shear along y [s]
+    mu: in space, in place of these six: BeamDyn's μ1 to μ6, which are flap_shear, lag_shear, axial,
+        lag, flap, torsion [s]
+    ratios: damping ratios of the lowest modes of each beam, from the lowest frequency on
+    above: damping ratio of the next mode; those above it have more, in proportion to their
+        frequency
     """
     return _given(locals())
 
 
-def load(*, force=None, moment=None, blade=None, position=None, frame=None, name=None, ramp=None,
-         time=None, factor=None, **more):
-    """A force and a moment at a point of a blade.
+def load(*, position=None, frame=None, force=None, moment=None, blade=None, name=None, ramp=None,
+         time=None, factor=None, subsystem=None, body=None, point=None, interface=None, nodes=None,
+         traction=None):
+    """A force and a moment at a point of a body.
 
-    force: [N].
-    moment: [N m].
-    blade: number from 1, or "all".
-    position: distance from the root [m]; None: the tip.
-    frame: "inertial", "hub" or "section".
-    name: by which critical() varies it.
-    ramp: its rise [s].
-    time, factor: sequences, factors of the load over time [s].
+    position: distance from the blade's root [m]; or: on a beam: distance from the root [m]
+    frame: in which the force is resolved: "inertial", "hub", or "section", which turns with the
+        loaded cross section; or: "inertial", "hub", "body" (turns with the body's frame) or, on
+        beams and solids, "section" (turns with the loaded section, interface or nodes): the frame
+        in which forces and moments are resolved
+    force: [x, y] [N]; or: [x, y, z] [N]
+    moment: about z, counterclockwise [N m]; or: [x, y, z] [N m]
+    blade: number of the blade, from 1, or "all"; or: number of the blade, or "all"
+    name: name by which spoke critical varies the load; loads of one name go together
+    ramp: the load rises from 0 at t = 0 to its full size at t = ramp; 0: all of it from the start
+        [s]
+    time: array of times, each greater than the one before [s]
+    factor: array of factors of the load, one for each of time, interpolated as above
+    subsystem: name of the subsystem that it is on, in place of blade; of a support "support"
+    body: name of its body
+    point: on a rigid body: [x, y, z] in its frame [m]
+    interface: on a solid: name of the interface at whose point it acts
+    nodes: on a solid, in place of interface: nodes over which the load is spread, by area, chosen
+        as those of an interface; a moment is about their mean
+    traction: on a solid, in place of force and moment: force per area of nodes, or of an interface,
+        as they are at rest [Pa]
     """
     return _given(locals())
 
 
-def distributed_load(*, force_per_length=None, moment_per_length=None, blade=None, from_=None,
-                     to=None, frame=None, name=None, ramp=None, time=None, factor=None, **more):
-    """A force and a moment per length of a blade.
+def distributed_load(*, from_=None, to=None, frame=None, force_per_length=None,
+                     moment_per_length=None, blade=None, name=None, ramp=None, time=None,
+                     factor=None, subsystem=None, body=None):
+    """A force and a moment per length of a beam.
 
-    force_per_length: [N/m].
-    moment_per_length: [N].
-    from_, to: distances of its ends from the root [m].
-    blade, frame, name, ramp, time, factor: as of load().
+    from_: distance of the inner end from the blade's root [m]; or: distance of the inner end from
+        the beam's root [m]
+    to: distance of the outer end [m]
+    frame: as of [[load]]
+    force_per_length: [x, y] [N/m]; or: [x, y, z] [N/m]
+    moment_per_length: about z, counterclockwise [N]; or: [x, y, z] [N]
+    blade: number of the blade, from 1, or "all"; or: number of the blade, or "all"
+    name: name by which spoke critical varies the load; loads of one name go together
+    ramp: the load rises from 0 at t = 0 to its full size at t = ramp; 0: all of it from the start
+        [s]
+    time: array of times, each greater than the one before [s]
+    factor: array of factors of the load, one for each of time, interpolated as above
+    subsystem: name of the subsystem that it is on, in place of blade; of a support "support"
+    body: name of its body
     """
     return _given(locals())
 
 
-def drag(*, relative_to=None, linear=None, quadratic=None, position=None, linear_per_length=None,
-         quadratic_per_length=None, from_=None, to=None, blade=None, name=None, ramp=None,
+def drag(*, relative_to=None, position=None, linear=None, quadratic=None, from_=None, to=None,
+         linear_per_length=None, quadratic_per_length=None, blade=None, name=None, ramp=None,
          time=None, factor=None):
-    """A force against the motion of a blade, -(c1 + c2 |u|) u.
+    """A force against the motion of a blade, -(c1 + c2 |u|) u, in the plane.
 
-    relative_to: of what u is the velocity, "inertial" or "hub".
-    linear: c1 at a point [N s/m].
-    quadratic: c2 at a point [N s^2/m^2].
-    position: of the point, distance from the root [m]; None: the tip.
-    linear_per_length: c1 per length [N s/m^2].
-    quadratic_per_length: c2 per length [N s^2/m^3].
-    from_, to: distances of its ends from the root [m].
-    blade, name, ramp, time, factor: as of load().
+    relative_to: of what u is the velocity: "inertial", u is the velocity in space; "hub", u is that
+        less the velocity which the place would have if it were fixed to the hub, as in air that
+        turns with the hub
+    position: distance of the point from the blade's root; only with linear or quadratic [m]
+    linear: c₁ at one point [N s/m]
+    quadratic: c₂ at one point [N s^2/m^2]
+    from_: distance of its inner end from the root; only with a coefficient per length [m]
+    to: distance of its outer end; likewise [m]
+    linear_per_length: c₁ per length [N s/m^2]
+    quadratic_per_length: c₂ per length: of a strip with drag coefficient C, chord c and air of
+        density ρ, ½ρcC [N s^2/m^3]
+    blade: number of the blade, from 1, or "all"
+    name: name by which spoke critical varies the load; loads of one name go together
+    ramp: the load rises from 0 at t = 0 to its full size at t = ramp; 0: all of it from the start
+        [s]
+    time: array of times, each greater than the one before [s]
+    factor: array of factors of the load, one for each of time, interpolated as above
     """
     return _given(locals())
 
 
-def hub_load(*, force=None, position=None, frame=None, torque=None, name=None, ramp=None,
-             time=None, factor=None, **more):
+def hub_load(*, name=None, position=None, frame=None, force=None, torque=None, ramp=None, time=None,
+             factor=None):
     """A force and a torque on the hub.
 
-    force: [N].
-    position: where it acts, in the hub's frame [m].
-    frame: in which the force is resolved, "hub" or "inertial".
-    torque: about the axis, besides that of the force [N m].
-    name, ramp, time, factor: as of load().
+    name: name by which spoke critical varies the load; loads of one name go together
+    position: where the force acts: [x, y] in the hub's frame; only with force [m]; or: where the
+        force acts: [x, y, z] in the hub's frame; only with force [m]
+    frame: in which the force is resolved: "hub", a thruster, or "inertial"
+    force: [x, y] [N]; or: [x, y, z] [N]
+    torque: about z, besides that of the force [N m]; or: [x, y, z], besides that of the force [N m]
+    ramp: the load rises from 0 at t = 0 to its full size at t = ramp; 0: all of it from the start
+        [s]
+    time: array of times, each greater than the one before [s]
+    factor: array of factors of the load, one for each of time, interpolated as above
     """
     return _given(locals())
 
 
-def integration(*, duration, step=None, method=None, spectral_radius=None, tolerance=None,
+def pitch_control(*, speed, proportional, integral, minimum, maximum, joint=None, joints=None,
+                  half_gain_angle=None, schedule=None, rate=None, filter=None, initial=None,
+                  sign=None, period=None):
+    """A controller of pitch, in space: control={"pitch": pitch_control(...)}.
+
+    joint: name of the joint, of every blade or subsystem on the hub that has one of this name
+    joints: in place of joint: an array of names
+    speed: set point of the hub's speed about its axle; negative where the rotor turns so [rad/s]
+    proportional: pitch angle by the error of the speed [s]
+    integral: rate of the pitch angle by the error, that is pitch angle by the integral of the error
+        [rad/rad]
+    half_gain_angle: gains have the factor 1/(1 + θ/half_gain_angle) [rad]
+    schedule: in place of it: a table with angle (rad, increasing) and factor, a smooth curve
+        through them, constant beyond
+    minimum: lower limit of the pitch angle θ [rad]
+    maximum: its upper limit [rad]
+    rate: largest rate of θ [rad/s]
+    filter: corner frequency of the low-pass on the speed [rad/s]
+    initial: θ at t = 0, where the integral begins, too [rad]
+    sign: 1 or −1: the joint's coordinate is its own motion + sign θ
+    period: time between samples, in steps to the nearest whole number from 1 on [s]
+    """
+    return _given(locals())
+
+
+def air(*, density=None, viscosity=None):
+    """Air around the blades, in space.
+
+    density: of the air [kg/m^3]
+    viscosity: kinematic, for the Reynolds numbers by which polars are chosen [m^2/s]
+    """
+    return _given(locals())
+
+
+def wind(*, velocity=None, time=None, speed=None, file=None, shear_exponent=None,
+         reference_height=None, up=None, ground=None, gust=None, turbulence=None, by=None):
+    """Wind before a rotor disturbs it, in space.
+
+    velocity: mean velocity at the reference height, in the inertial frame. Where speed or file
+        gives the speed, only its direction counts, +x if it is zero [m/s]
+    time: array of times of speed, each greater than the one before [s]
+    speed: the speed over time along that direction, by monotone cubics; constant before and after
+        [m/s]
+    file: a file of TurbSim (.bts) or a table, relative to the scenario; in place of speed and
+        turbulence
+    shear_exponent: exponent of the power law, 0 to 1
+    reference_height: height over the ground at which velocity is; shear_exponent and turbulence
+        need it [m]
+    up: direction away from the ground
+    ground: coordinate of the ground along up [m]
+    gust: table, see gusts
+    turbulence: table, see turbulence
+    by: "program": the embedding program gives the wind, and no other key is there
+    """
+    return _given(locals())
+
+
+def gust(*, amplitude, start=None, duration=None, shape=None):
+    """A gust of the wind.
+
+    amplitude: A of the shape; may be negative [m/s]
+    start: [s]
+    duration: T of the shape [s]
+    shape: "one_minus_cosine" or "operating"
+    """
+    return _given(locals())
+
+
+def turbulence(*, intensity, width, seed=None, spectrum=None, length_scale=None,
+               deviation_ratio=None, coherence=None, coherence_decay=None, height=None, points=None,
+               time_step=None, duration=None):
+    """Turbulence of the wind.
+
+    intensity: standard deviation along the wind at the reference height, over the speed there
+    seed: a whole number; equal seeds give equal turbulence
+    spectrum: the only one
+    length_scale: Lambda_1, see below [m]
+    deviation_ratio: standard deviations along the wind, across it and upwards over the first
+    coherence: components that are coherent: that along the wind, or "all"
+    coherence_decay: in the exponent of coherence, 1 to 100
+    width: of the box across the wind; wider than the rotor [m]
+    height: of the box; its middle is at the reference height, and it must not reach below the
+        ground [m]
+    points: of the grid along each side, or [across, upwards]; 2 to 100
+    time_step: [s]
+    duration: after which it repeats, at least [s]
+    """
+    return _given(locals())
+
+
+def aerodynamics(*, induction=None, inflow=None, inflow_factor=None, stall=None):
+    """How induction, inflow and stall are modelled, in space.
+
+    induction: velocity that the rotor itself induces: "momentum", blade-element momentum theory by
+        annuli, with losses at tip and root, high thrust, hover and descent, and skewed wakes;
+        "none"
+    inflow: how induced velocity follows the load: "dynamic", with two time constants after Oye;
+        "quasi_steady", at once
+    inflow_factor: induced velocity by that of momentum theory. Hovering rotors induce more, since
+        their wake contracts and its tip vortices pass near the blades: 1.1 to 1.2 are usual
+        (aerodynamics.md). Of turbines it is 1
+    stall: how separation follows the angle of attack: "dynamic", with a lag after Oye; "static", at
+        once, lift is that of the polar
+    """
+    return _given(locals())
+
+
+def blade_aerodynamics(*, station, chord, airfoil, twist=None, center=None, leading_edge=None):
+    """Chords and aerofoils of a blade.
+
+    station: distances from the root, ascending; 10 to 20 serve well. Beyond the first and the last
+        there is no load, and the last is the tip of tip loss [m]
+    chord: [m]
+    twist: of the chord against the section's y axis, which has the twist of the sections already
+        [rad]
+    center: of the aerodynamic centre (of most polars the quarter of the chord): its distance from
+        the blade's axis along the chord, positive towards the leading edge [m]
+    airfoil: names of aerofoils, or files of polars, relative to the scenario
+    leading_edge: "+y": the leading edge looks along the section's y axis, as on a rotor that turns
+        about its axis in the positive sense; "-y": about it in the negative sense
+    """
+    return _given(locals())
+
+
+def airfoil(*, name, file=None, polar=None, reynolds=None, angle=None, lift=None, drag=None,
+            moment=None):
+    """An aerofoil.
+
+    name: unlike that of any other
+    file: relative to the scenario's folder: a plain table, or a file of AeroDyn 15 (formats); **its
+        angles are in degrees**
+    polar: polars by Reynolds number, [[airfoil.polar]], with the keys below
+    reynolds: Reynolds number of the polar, ascending from one to the next
+    angle: angles of attack, ascending; the first is −π, the last π [rad]
+    lift: coefficient of lift, equal at both ends
+    drag: of drag, likewise
+    moment: about the aerodynamic centre, nose up
+    """
+    return _given(locals())
+
+
+def polar(*, reynolds=None, angle=None, lift=None, drag=None, moment=None):
+    """Coefficients of an aerofoil at one Reynolds number.
+
+    reynolds: Reynolds number of the polar, ascending from one to the next
+    angle: angles of attack, ascending; the first is −π, the last π [rad]
+    lift: coefficient of lift, equal at both ends
+    drag: of drag, likewise
+    moment: about the aerodynamic centre, nose up
+    """
+    return _given(locals())
+
+
+def initial(*, state=None, speed=None):
+    """Where the simulation starts.
+
+    state: "undeformed": joints at their initial, the hub with the speed of its drive at t = 0;
+        "equilibrium": of steady rotation, as spoke static finds it
+    speed: of the equilibrium: where the drive prescribes the rotation, its speed at its start, or
+        after its ramp up; else any. Without it, the speed after the ramp up, initial_speed of a
+        drive, or the part of angular_velocity of a free hub along its axis [rad/s]
+    """
+    return _given(locals())
+
+
+def integration(*, duration, method=None, step=None, spectral_radius=None, tolerance=None,
                 iterate_to=None, iterations=None, max_iterations=None, loop_redundancy=None):
     """How the motion is integrated.
 
-    duration: simulated time [s].
-    step: [s].
-    method: "generalized_alpha" or "rk4".
-    spectral_radius: of generalized_alpha at infinite frequency, 0 to 1.
-    tolerance: last change of a coordinate in a step's iteration, at most [m, rad].
-    iterate_to: "error", a share of the step's own error, or "tolerance", which is the default
-        where a tolerance is given.
-    iterations: of each step; 0: as many as the tolerance needs.
-    max_iterations: of a step, beyond which the simulation has diverged.
-    loop_redundancy: share of the largest pivot, below which a row of rigid closed loops is dropped.
+    method: "generalized_alpha": implicit, for steps that suit the motion; "rk4": explicit, for
+        steps below the stability limit, which spoke check prints
+    step: time step; shortened if needed, so that it divides the duration [s]
+    duration: simulated time [s]
+    spectral_radius: spectral radius of generalized_alpha at infinite frequency: 1 damps no mode, 0
+        damps the fast ones most
+    tolerance: tolerance of the iteration within a step of generalized_alpha: largest change of a
+        coordinate in the last iteration; with iterate_to = "error" the most that is left of a
+        change, if it is not the default [m, rad]
+    iterate_to: "error": the iteration goes on until what is left, by the contraction seen, is a
+        small share of the step's own error, so that smaller steps have smaller errors down to
+        round-off (formulation.md); "tolerance": until its last change is below tolerance
+    iterations: number of iterations per step; 0: as many as the tolerance needs
+    max_iterations: if a step needs more iterations than this, the simulation has diverged
+    loop_redundancy: a row of rigid closed loops is redundant, and dropped, where its pivot at the
+        start is below this share of the largest one
     """
     return _given(locals())
 
 
 def limits(*, deflection=None, energy_growth=None, on_energy_growth=None, step_error=None,
            momentum=None):
-    """Beyond which results are doubted.
+    """Limits beyond which results are doubted.
 
-    deflection: of a body in its frame, by its length; 0: none.
-    energy_growth: by the largest energy so far; 0: none.
-    on_energy_growth: "warn" or "stop".
-    step_error: estimated error of a step, by a radian or the length of a body; 0: none.
-    momentum: residual of a free model, by its largest momentum; 0: none.
+    deflection: deflection of a body in its floating frame, as a share of the body's length, beyond
+        which linear elasticity no longer holds well and a warning is given; with strain =
+        "nonlinear" deflection of an element, as a share of its length; 0: no limit
+    energy_growth: growth of the energy beyond the work done, as a share of the largest energy so
+        far; 0: no limit
+    on_energy_growth: "warn", or "stop": the simulation has diverged (exit status 3)
+    step_error: estimated error of a step of generalized_alpha, of an angle in rad, of a
+        displacement by a length of the model; 0: no limit
+    momentum: change of the momentum of a free model on which nothing acts, by the largest so far;
+        0: no limit
     """
     return _given(locals())
 
 
-def output(*, interval):
+def output(*, interval=None):
     """Rows of a result.
 
-    interval: between them [s]; 0: every step.
+    interval: time between the rows of sensors.csv, and between the files of --vtk; 0: every step
+        [s]
     """
     return _given(locals())
 
 
-def sensor(*, quantity, name=None, blade=None, position=None, joint=None, loop=None,
-           frame=None, **more):
-    """What is measured besides the sensors that every simulation has. In space: subsystem and body
-    by name; on a solid interface, by name, or node, by its number in the mesh's file.
+def statistics(*, exponents=None):
+    """How statistics of results are made.
 
-    quantity: "displacement", "velocity", "acceleration", "section_force", "joint_reaction",
-        "hub_reaction", "momentum", "blade_momentum", "kinetic_energy", "loop_reaction",
-        "loop_opening", or of a solid "interface_force" or "von_mises".
-    name: in the names of the result's arrays.
-    blade: number from 1, or "all".
-    position: distance from the root [m]; None: the tip.
-    joint: number from 1 at the root.
-    loop: name of a closed loop.
-    frame: "hub", "blade", "inertial", "section" or "loop".
+    exponents: exponents by name: blades of all blades that have none of their own, blade1 and so on
+        of one, support, or the name of a subsystem
+    """
+    return _given(locals())
+
+
+def sensor(*, quantity, name=None, blade=None, position=None, joint=None, loop=None, frame=None,
+           subsystem=None, body=None, interface=None, node=None):
+    """What is measured besides the sensors that every simulation has.
+
+    name: in the names of the columns, such as blade1.NAME.x
+    quantity: what is measured, see below
+    blade: number of the blade, from 1, or "all"
+    position: distance from the blade's root [m]; or: distance from the root of the blade or the
+        beam [m]
+    joint: number of the joint, from 1 at the root
+    loop: name of a closed loop, which each blade that the sensor is on must have; or: name of a
+        closed loop, which each blade, or the subsystem, that the sensor is on must have
+    frame: in which a motion is observed and vectors are resolved: "hub", "blade" (as the hub's, x
+        along the undeformed blade), "inertial", "section" (turns with the cross section), "loop"
+        (turns with the place to of the loop; of a distance, x is along the rod: its force, positive
+        in tension, or its elongation, and only x is not 0)
+    subsystem: name of a subsystem, in place of blade
+    body: name of its body, for a motion, a section force or the reaction of a joint
+    interface: of a solid: name of the interface
+    node: of a solid, in place of interface: number of a node in the mesh's file
     """
     return _given(locals())

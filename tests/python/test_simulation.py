@@ -1,6 +1,11 @@
 """Scenarios from everywhere, states, and what a simulation is asked for between steps."""
 
+import inspect
+import json
+import os
 import pickle
+import runpy
+import subprocess
 
 import numpy as np
 import pytest
@@ -178,39 +183,24 @@ def test_drives_of_named_arguments_are_what_a_simulation_has(drive):
     assert model.hub(drive=found) == model.hub(drive=drive)
 
 
-def keys_of_docs():
-    """By heading of the plane's chapters in docs/scenario.md the keys of its first table."""
-    keys, heading = {}, None
-    for line in (SOURCE / "docs/scenario.md").read_text().splitlines():
-        if line.startswith("#"):
-            heading = line.strip("# ").split(":")[0].strip("`[]").replace("blade.", "")
-            if "in space" in line or line == "## Models in space":
-                heading = None
-        elif heading and line.startswith("| `"):
-            for key in line.split("|")[1].split(","):
-                keys.setdefault(heading, set()).add(key.strip(" `"))
-    return keys
+def test_the_functions_of_the_model_are_those_of_the_keys():
+    schema = json.loads(subprocess.run([os.environ["SPOKE_PROGRAM"], "schema", "--json"],
+                                       capture_output=True, check=True, text=True).stdout)
+    written = runpy.run_path(str(SOURCE / "python/write_model.py"))
+    text = (SOURCE / "python/spoke/model.py").read_text(encoding="utf-8")
+    assert text.split(written["MARK"])[1] == written["make_functions"](schema), (
+        "spoke schema --json | python/write_model.py writes them")
+    for name, (tables, _) in written["FUNCTIONS"].items():
+        arguments = inspect.signature(getattr(model, name)).parameters
+        for table in tables:
+            keys = (schema["definitions"][table] if table else schema)["properties"]
+            assert set(keys) <= {argument.rstrip("_") for argument in arguments}, name
 
 
-def test_named_arguments_are_the_keys_of_the_documents():
-    import inspect
-    keys = keys_of_docs()
-    common = {"name", "blade", "ramp", "time", "factor"}
-    for name in ("hub", "blade", "sections", "point_mass", "gravity", "damping", "load",
-                 "distributed_load", "drag", "hub_load", "integration", "limits", "output",
-                 "sensor", "loop", "anchor"):
-        function = getattr(model, name)
-        arguments = {argument.rstrip("_") for argument in inspect.signature(function).parameters}
-        expected = {key for key in keys[name] if not key.startswith('"')}
-        if name in ("load", "distributed_load", "drag"):
-            expected |= common
-        if name == "hub_load":
-            expected |= common - {"blade"}
-        if name == "hub":
-            expected |= {"drive"}
-        assert arguments - {"more"} == expected, name
-        for argument in arguments - {"more"} - common:
-            assert argument in function.__doc__, (name, argument)
+def test_a_key_that_there_is_not_is_refused_at_once():
+    with pytest.raises(TypeError):
+        model.hub(raduis=1.0)
+    assert model.loop(name="a", kind="distance", from_={}, to="hub")["from"] == {}
 
 
 def test_a_saved_state_goes_on_with_the_bits_of_the_run(rotor, tmp_path):
