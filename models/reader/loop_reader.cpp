@@ -24,14 +24,11 @@ int count_axes(LoopKind kind, bool in_plane) {
 }
 
 LoopKind read_kind(const TomlSection& section, bool in_plane) {
-  TomlSection::Keys names;
+  const keys::Rows rows = in_plane ? keys::Rows(keys::kLoopRows) : keys::kSpaceLoopRows;
   std::vector<LoopKind> kinds;
-  for (const LoopKind kind : kKinds) {
-    if (count_locked(kind, in_plane) == 0) continue;
-    kinds.push_back(kind);
-    names.push_back(name_of(kind));
-  }
-  return kinds[section.choice("kind", names)];
+  for (const LoopKind kind : kKinds)
+    if (count_locked(kind, in_plane) > 0) kinds.push_back(kind);
+  return kinds[keys::read_word(section, rows, "kind")];
 }
 
 /// Refuses a key of other kinds of closure, which would be ignored.
@@ -173,7 +170,7 @@ void read_motion(const TomlSection& section, bool in_plane, Anchor& anchor) {
   const auto& place = place_shape(in_plane);
   const auto& rotation = rotation_shape(in_plane);
   if (motion.has("by")) {
-    motion.choice("by", {"program"});
+    keys::read_word(motion, keys::kAnchorMotionRows, "by");
     ProgramAnchorMotion program;
     if (motion.has("translation"))
       program.translation = spatial::read_vector(motion, "translation", kLength, place);

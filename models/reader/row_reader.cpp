@@ -3,6 +3,7 @@
 #include "models/reader/row_reader.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace spoke::keys {
 namespace {
@@ -81,6 +82,17 @@ void read_row(const TomlSection& section, const Row& row, void* to) {
 
 void read(const TomlSection& section, Rows rows, void* to) {
   for (const Row& row : rows) read_row(section, row, to);
+}
+
+TomlSection::Keys words_of(Rows rows, std::string_view key) {
+  const auto row = std::find_if(rows.begin(), rows.end(),
+                                [&](const Row& candidate) { return candidate.key == key; });
+  assert(row != rows.end() && !row->words.empty());
+  return words_of(*row);
+}
+
+std::size_t read_word(const TomlSection& section, Rows rows, std::string_view key) {
+  return section.choice(key, words_of(rows, key));
 }
 
 void write(Rows rows, const void* from, Json& json) {

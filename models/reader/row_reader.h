@@ -21,6 +21,11 @@ void read(const TomlSection& section, Rows rows, void* to);
 /// Reads one of them.
 void read_row(const TomlSection& section, const Row& row, void* to);
 
+/// Returns the words of a key by hand. Precondition: it has some.
+TomlSection::Keys words_of(Rows rows, std::string_view key);
+/// Reads one of these words, and returns its index.
+std::size_t read_word(const TomlSection& section, Rows rows, std::string_view key);
+
 /// Adds numbers, vectors, flags and choices of a structure to a JSON object, in the order of the
 /// rows.
 void write(Rows rows, const void* from, Json& json);

@@ -88,7 +88,8 @@ bool has_suspension(const TomlTable& root) {
 /// Reads the model, in the plane or in space. Files that it names are relative to `folder`.
 void read_world(const TomlDocument& document, const TomlSection& root, const std::string& folder,
                 Scenario& scenario) {
-  const bool is_spatial = root.has("world") && root.choice("world", {"plane", "space"}) == 1;
+  const bool is_spatial =
+      root.has("world") && keys::read_word(root, keys::kScenarioRows, "world") == 1;
   const auto refuse = [&](std::string_view key, const char* expected) {
     if (root.has(key))
       root.fail(key, "belongs to another world, expected world = " + std::string(expected));

@@ -63,10 +63,8 @@ Drive read_drive(const TomlSection& hub) {
   const TomlSection drive = hub.section(
       "drive",
       keys::keys_of(keys::kDriveKindRows, keys::kSpinUpHoldSpinDownRows, keys::kTorqueDriveRows));
-  const TomlSection::Keys kinds = {
-      "spin_up",  "spin_up_hold_spin_down", "torque", "free", "table", "fixed",
-      "constant", "torque_by_speed"};
-  const std::string_view kind = kinds[drive.choice("kind", kinds)];
+  const std::string_view kind = keys::words_of(
+      keys::kDriveKindRows, "kind")[keys::read_word(drive, keys::kDriveKindRows, "kind")];
   check_drive_keys(drive, kind);
   if (kind == "table") return SpeedTable{read_curve(drive, "time", kTime, "speed", kSpeed)};
   if (kind == "free") return read_fields<FreeDrive>(drive);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "models/reader/keys/simulation_keys.h"
+#include "models/reader/row_reader.h"
 #include "models/support/nearest_name.h"
 
 namespace spoke {
@@ -49,14 +51,9 @@ void require_fitting(const TomlSection& section, std::string_view key, SensorQua
 SensorQuantity read_quantity(const TomlSection& section, bool in_plane) {
   if (!section.has("quantity"))
     section.fail("quantity", "is missing, expected what is measured, as quantity = \"velocity\"");
-  TomlSection::Keys names;
-  std::vector<SensorQuantity> quantities;
-  for (const SensorQuantity quantity : kQuantities) {
-    if (in_plane && is_of_space(quantity)) continue;
-    names.push_back(name_of(quantity));
-    quantities.push_back(quantity);
-  }
-  return quantities[section.choice("quantity", names)];
+  // Those of the plane are the first ones.
+  const keys::Rows rows = in_plane ? keys::Rows(keys::kSensorRows) : keys::kSpaceSensorRows;
+  return kQuantities.begin()[keys::read_word(section, rows, "quantity")];
 }
 
 SensorFrame read_sensor_frame(const TomlSection& section, SensorQuantity quantity) {

@@ -131,8 +131,8 @@ BladeAerodynamics read_aerodynamics(const TomlSection& section, double length) {
                    read_stations(section, key, quantity, stations, values);
                  });
   read.airfoil = read_names(section, stations);
-  read.leads_backward =
-      section.has("leading_edge") && section.choice("leading_edge", {"+y", "-y"}) == 1;
+  read.leads_backward = section.has("leading_edge") &&
+                        keys::read_word(section, keys::kBladeAerodynamicsRows, "leading_edge") == 1;
   if (const Fault fault = find_fault(read, length)) section.fail_at(fault.path, fault.text);
   return read;
 }

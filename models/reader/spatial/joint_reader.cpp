@@ -14,16 +14,14 @@
 namespace spoke::spatial {
 namespace {
 
-const TomlSection::Keys kKinds = {"fixed",     "revolute",    "universal", "spherical",
-                                  "prismatic", "cylindrical", "bushing"};
-
 /// Refuses keys of other kinds of joint, which would be ignored.
 void check_kind_keys(const TomlSection& section, std::string_view kind) {
   struct Key {
     std::string_view name;
     TomlSection::Keys kinds;
   };
-  const TomlSection::Keys moving(kKinds.begin() + 1, kKinds.end());
+  TomlSection::Keys moving = keys::words_of(keys::kJointRows, "kind");
+  moving.erase(moving.begin());  // "fixed"
   const TomlSection::Keys bounded = {"revolute", "universal", "prismatic", "cylindrical"};
   TomlSection::Keys at_rest = bounded;
   at_rest.push_back("bushing");
@@ -121,7 +119,7 @@ std::optional<Motion> read_motion(const TomlSection& table, const CoordinateUnit
   }
   if (table.has("by")) {
     refuse_others({"by", "initial"});
-    table.choice("by", {"program"});
+    keys::read_word(table, keys::kMotionRows, "by");
     return ProgramMotion{table.number("initial", quantity, 0.0)};
   }
   if (table.has("mean") || table.has("cosine") || table.has("sine")) {
@@ -179,7 +177,7 @@ void read_motions(const TomlSection& section, Joint& joint) {
 Joint read_joint(const TomlSection& section) {
   Joint joint;
   joint.name = section.text("name", "");
-  joint.kind = static_cast<JointKind>(section.choice("kind", kKinds));
+  joint.kind = static_cast<JointKind>(keys::read_word(section, keys::kJointRows, "kind"));
   if (joint.kind == JointKind::bushing) joint.coordinates.resize(6);
   check_kind_keys(section, name_of(joint.kind));
   keys::read(section, keys::kJointRows, &joint);

@@ -55,8 +55,9 @@ class SectionReader {
   void matrices(std::string_view key, std::vector<SectionMatrix>& values) const {
     if (!section_.has(key)) return;
     constexpr std::size_t all = 36, upper_triangle = 21;
-    const bool is_beamdyn = section_.has("matrix_convention") &&
-                            section_.choice("matrix_convention", {"spoke", "beamdyn"}) == 1;
+    const bool is_beamdyn =
+        section_.has("matrix_convention") &&
+        keys::read_word(section_, keys::kSectionMatrixRows, "matrix_convention") == 1;
     for (const std::vector<double>& row :
          section_.rows(key, Quantity::any("SI"), all, upper_triangle))
       values.push_back(is_beamdyn ? swap_beamdyn_axes(to_matrix(row)) : to_matrix(row));

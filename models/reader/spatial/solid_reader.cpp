@@ -58,8 +58,8 @@ std::array<std::string, Count> read_file_names(const TomlSection& section, std::
 /// Reads what another program has assembled.
 SolidMatrices read_matrices(const TomlSection& section, const std::string& folder) {
   SolidMatrices matrices;
-  const TomlSection::Keys formats{"calculix", "abaqus", "matrix_market"};
-  matrices.format = formats[section.choice("format", formats)];
+  matrices.format = keys::words_of(keys::kSolidRows,
+                                   "format")[keys::read_word(section, keys::kSolidRows, "format")];
   matrices.mass = read_file_name(section, "mass", folder, "a file of the mass matrix");
   matrices.stiffness =
       read_file_name(section, "stiffness", folder, "a file of the stiffness matrix");

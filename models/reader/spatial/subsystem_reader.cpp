@@ -58,7 +58,7 @@ struct Around {
 Body read_body(const TomlSection& section, const Around& around, const Subsystem& own) {
   Body body;
   body.name = read_name(section, "name");
-  const std::size_t kind = section.choice("kind", {"beam", "rigid", "solid"});
+  const std::size_t kind = keys::read_word(section, keys::kBodyRows, "kind");
   if (kind == 0) {
     body.shape = read_beam(section);
   } else if (kind == 1) {

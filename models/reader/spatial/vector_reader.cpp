@@ -6,12 +6,6 @@
 
 namespace spoke::spatial {
 
-void VectorReader::operator()(std::string_view key, Vector& value, const Quantity& quantity,
-                              Presence presence) const {
-  if (presence == Presence::required || section.has(key))
-    value = read_vector(section, key, quantity);
-}
-
 Vector read_vector(const TomlSection& section, std::string_view key, const Quantity& quantity,
                    const VectorShape& shape) {
   Vector vector = Vector::Zero();

@@ -12,19 +12,6 @@
 
 namespace spoke::spatial {
 
-/// Reads the vectors of a structure, for visit_fields(), and by FieldReader the numbers.
-struct VectorReader {
-  const TomlSection& section;
-
-  template <class Number, class Range>
-  void operator()(std::string_view key, Number& value, const Range& range,
-                  Presence presence) const {
-    FieldReader{section}(key, value, range, presence);
-  }
-  void operator()(std::string_view key, Vector& value, const Quantity& quantity,
-                  Presence presence) const;
-};
-
 /// Reads a vector of a shape, by default an array of three numbers.
 Vector read_vector(const TomlSection& section, std::string_view key, const Quantity& quantity,
                    const VectorShape& shape = kVectorInSpace);

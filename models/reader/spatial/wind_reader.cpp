@@ -82,7 +82,7 @@ TomlSection::Keys wind_keys() { return keys::keys_of(keys::kWindRows); }
 Wind read_wind(const TomlSection& section, const std::string& folder) {
   Wind wind;
   if (section.has("by")) {
-    section.choice("by", {"program"});
+    keys::read_word(section, keys::kWindRows, "by");
     wind.by_program = true;
   }
   read_speed(section, wind);

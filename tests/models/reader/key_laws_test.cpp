@@ -14,6 +14,7 @@
 
 #include "models/reader/keys/tables.h"
 #include "models/reader/row_reader.h"
+#include "models/reader/spatial/spatial_fields.h"
 #include "models/reader/toml_document.h"
 #include "tests/message_of.h"
 
@@ -155,4 +156,21 @@ TEST_CASE("every key of every table is suggested where one letter is missing") {
             "f.toml:1:1: " + slip + ": unknown key, did you mean \"" + std::string(key) + "\"?");
     }
   }
+}
+
+TEST_CASE("keys whose unit is that of their joint have rows, too") {
+  const auto check = [](const auto& structure, const auto& unit, keys::Rows rows) {
+    const TomlSection::Keys known = keys::keys_of({rows});
+    int count = 0;
+    spatial::visit_fields(structure, unit, [&](std::string_view key, const auto&...) {
+      CAPTURE(key);
+      CHECK(std::find(known.begin(), known.end(), key) != known.end());
+      ++count;
+    });
+    return count;
+  };
+  CHECK(check(spatial::Stop{}, spatial::kAngleUnits, keys::kStopRows) == 5);
+  CHECK(check(spatial::AzimuthMotion{}, spatial::kAngleUnits, keys::kMotionRows) == 3);
+  CHECK(check(spatial::JointCoordinate{}, spatial::kAngleUnits, keys::kJointRows) == 5);
+  CHECK(check(spatial::VectorHarmonic{}, "m", keys::kCourseRows) == 5);
 }
