@@ -15,7 +15,7 @@ case $way in
     ;;
   examples)
     "$cmake" -S "$prefix/share/doc/spoke/examples" -B "$work" -DCMAKE_CXX_COMPILER="$compiler" \
-      -DCMAKE_CXX_FLAGS_RELEASE=-O1 -DCMAKE_PREFIX_PATH="$prefix"
+      -DCMAKE_CXX_FLAGS_RELEASE=-O0 -DCMAKE_PREFIX_PATH="$prefix"
     "$cmake" --build "$work"
     for example in "$prefix"/share/doc/spoke/examples/*.cpp; do
       "$work/example_$(basename "$example" .cpp)"
