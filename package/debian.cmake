@@ -1,5 +1,6 @@
-# `cpack -G DEB`: the program (spoke), the library (libspoke-dev; if shared, also libspokeX.Y) and, if it
-# is built, the Python package (python3-spoke). What programs and shared libraries depend on is found by dpkg-shlibdeps.
+# `cpack -G DEB`: the program (spoke), the library (libspoke-dev; if shared, also libspokeX.Y, which the
+# program and the Python package then need) and, if it is built, the Python package (python3-spoke). What
+# programs and shared libraries depend on besides is found by dpkg-shlibdeps.
 set(SPOKE_PACKAGE_MAINTAINER "The Spoke developers <spoke@localhost>" CACHE STRING
     "Maintainer of the Debian packages: Name <address>")
 set(release 1)
@@ -30,6 +31,13 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE ${release})
 set(CPACK_DEBIAN_PACKAGE_MAINTAINER ${SPOKE_PACKAGE_MAINTAINER})
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
+if(BUILD_SHARED_LIBS)
+  # Before 1.0 programs need the minor version that they were built with; Spoke's own the very same.
+  set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/package)
+  set(this_library "${runtime_package} (= ${PROJECT_VERSION}-${release})")
+endif()
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(what "Spoke simulates rotors with flexible blades. Every integration step is a task graph, run
 on one thread or many with the same bits.")
@@ -38,6 +46,10 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME spoke)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "dynamics of rotors with flexible blades
 ${what} This package contains the program, scenario files and the documentation.")
+
+if(SPOKE_SHARES_ENGINE)
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS ${this_library})
+endif()
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME ${runtime_package})
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
@@ -50,8 +62,7 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "dynamics of rotors with flexible bl
 ${what} This package contains what programs that embed Spoke are built with.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4)")
 if(BUILD_SHARED_LIBS)
-  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    ", ${runtime_package} (= ${PROJECT_VERSION}-${release})")
+  string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", ${this_library}")
 else()
   string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
     ", libspdlog-dev, libtbb-dev (>= 2021), libtomlplusplus-dev, zlib1g-dev")
@@ -72,6 +83,9 @@ if(TARGET spoke_python)
   math(EXPR next_minor "${minor} + 1")
   string(APPEND CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
     ", python3 (>= 3.${minor}), python3 (<< 3.${next_minor})")
+endif()
+if(SPOKE_SHARES_ENGINE)
+  string(APPEND CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS ", ${this_library}")
 endif()
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pandas, spoke")
 

@@ -1,5 +1,5 @@
-# What `cmake --install` installs, in components: `program`, `development`, `library` if shared, and
-# `python` if its package is built.
+# What `cmake --install` installs, in components: `program`, `development`, `library` if shared, which
+# the program then needs, and `python` if its package is built.
 # All paths are relative to the prefix, so that the tree can be moved.
 set(cmake_folder ${CMAKE_INSTALL_LIBDIR}/cmake/spoke)
 set(models_folder ${CMAKE_INSTALL_DATADIR}/spoke/models)
@@ -25,6 +25,14 @@ if(SPOKE_PROGRAM)
   endforeach()
 endif()
 
+# Programs and the Python module find the library that they share from where they lie themselves.
+function(spoke_find_library_from folder)
+  if(SPOKE_SHARES_ENGINE)
+    file(RELATIVE_PATH to_library /${folder} /${CMAKE_INSTALL_LIBDIR})
+    set_target_properties(${ARGN} PROPERTIES INSTALL_RPATH "$ORIGIN/${to_library}")
+  endif()
+endfunction()
+
 install(TARGETS spoke_library EXPORT spokeTargets
   LIBRARY COMPONENT library NAMELINK_COMPONENT development
   ARCHIVE COMPONENT development)
@@ -47,7 +55,7 @@ set(pc_requires "eigen3 >= 3.4")
 set(pc_libraries "")
 if(NOT BUILD_SHARED_LIBS)
   string(APPEND pc_requires ", spdlog, tbb >= 2021, tomlplusplus, zlib")
-  list(TRANSFORM openmp_libraries REPLACE "^([^/].*)$" "-l\\1" OUTPUT_VARIABLE pc_libraries)
+  list(TRANSFORM openmp_libraries REPLACE "^([^-/].*)$" "-l\\1" OUTPUT_VARIABLE pc_libraries)
   list(TRANSFORM pc_libraries PREPEND " ")
   list(JOIN pc_libraries "" pc_libraries)
 endif()
@@ -56,6 +64,7 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/spoke.pc DESTINATION ${pc_folder} COMP
 
 if(SPOKE_PROGRAM)
   set_target_properties(spoke PROPERTIES EXPORT_NAME program)
+  spoke_find_library_from(${CMAKE_INSTALL_BINDIR} spoke ${commands})
   install(TARGETS spoke EXPORT spokeProgramTargets RUNTIME COMPONENT program)
   install(TARGETS ${commands} RUNTIME COMPONENT program)
   if(TARGET spoke_fmu_library)
@@ -68,6 +77,7 @@ endif()
 if(TARGET spoke_python)
   spoke_require_built(python $<TARGET_FILE:spoke_python>)
   get_target_property(python_sources spoke_python SPOKE_SOURCES)
+  spoke_find_library_from(${SPOKE_PYTHON_DESTINATION}/spoke spoke_python)
   install(TARGETS spoke_python
     LIBRARY DESTINATION ${SPOKE_PYTHON_DESTINATION}/spoke COMPONENT python)
   install(FILES ${python_sources} DESTINATION ${SPOKE_PYTHON_DESTINATION}/spoke COMPONENT python)

@@ -58,8 +58,8 @@ int trace(const Arguments& arguments);
 /// Returns the command `run` with its options.
 Command make_run();
 
-/// Throws OtherProgramNeeded if this program cannot run such a scenario: `spoke` has not the whole
-/// engine. One that has returns.
+/// Throws OtherProgramNeeded if this program cannot run such a scenario: `spoke` may have less than
+/// the whole engine. One that has it returns.
 void require_enough(const Scenario& scenario);
 /// Does so before the scenario is read, for what can be read once only, and where MPI is begun.
 void require_enough(const Arguments& arguments);

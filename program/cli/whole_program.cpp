@@ -1,5 +1,5 @@
-// What the program `spoke` has in place of the parts of the engine that most runs do without: it
-// goes on as `spoke-whole`, which has them.
+// What the program `spoke`, linked with archives, has in place of the parts of the engine that most
+// runs do without: it goes on as `spoke-whole`, which has them.
 
 #include <filesystem>
 

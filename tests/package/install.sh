@@ -21,6 +21,16 @@ if found=$(grep -rlE "$work/first|$build" "$work/moved" --include='*.cmake' --in
   printf 'files that know where they were built or first installed:\n%s\n' "$found"
   exit 1
 fi
+pc=$(find "$work/moved" -name spoke.pc)
+if absolute=$(grep -E '(^|[ =]|-[IL])/' "$pc"); then
+  printf '%s names places of this machine:\n%s\n' "$pc" "$absolute"
+  exit 1
+fi
+# With a shared library the engine is installed once, beside what FMUs have: less than 30 MB in all.
+if [ -n "$(find "$work/moved" -name 'libspoke.so')" ]; then
+  size=$(du -sm "$work/moved" | cut -f 1)
+  [ "$size" -lt 30 ] || { du -am "$work/moved" | sort -rn | head -n 20; exit 1; }
+fi
 # Scenarios find the meshes and the aerofoils that they name.
 for scenario in "$work"/moved/share/spoke/models/*.toml; do
   for file in $(sed -nE 's/^ *(mesh|file) *= *"([^"]+)".*/\2/p' "$scenario"); do
