@@ -29,6 +29,13 @@ struct Writes {
   std::vector<PartId> parts;  ///< in any order
 };
 
+/// Returns a part of which some models have none: the list of it, or an empty one if its handle is
+/// invalid. Without this an invalid handle is refused, so that one that is forgotten is no missing
+/// edge.
+inline std::vector<PartId> maybe(PartId part) {
+  return part.index < 0 ? std::vector<PartId>{} : std::vector<PartId>{part};
+}
+
 namespace detail {
 
 /// A template, so that compilers look into it only where it is used.
@@ -41,10 +48,20 @@ void append(std::vector<PartId>& list, const Parts& parts) {
   }
 }
 
+}  // namespace detail
+
+/// Adds single parts and ranges of parts (vector, array, span), mixed, to a list.
+template <class... Parts>
+void add_to(std::vector<PartId>& list, const Parts&... parts) {
+  (detail::append(list, parts), ...);
+}
+
+namespace detail {
+
 template <class... Parts>
 std::vector<PartId> joined(const Parts&... parts) {
   std::vector<PartId> list;
-  (append(list, parts), ...);
+  add_to(list, parts...);
   return list;
 }
 

@@ -141,7 +141,7 @@ std::string name_of(const NodeLabel& label, std::string_view subsystem_word) {
 
 // This is not in the header, since spans of vectors take long to compile.
 std::span<const Node> StepGraph::nodes() const { return nodes_; }
-std::span<const Part> StepGraph::parts() const { return parts_; }
+std::span<const Part> StepGraph::parts() const { return *parts_; }
 std::span<const NodeId> StepGraph::serial_order() const { return serial_order_; }
 
 std::string StepGraph::name_of(NodeId node) const {
@@ -153,15 +153,21 @@ StepGraphBuilder::StepGraphBuilder(std::string subsystem_word)
 
 PartId StepGraphBuilder::add_part(std::string name, std::vector<std::span<std::byte>> memory,
                                   std::size_t record_size) {
+  assert(!shared_);
   parts_.push_back({std::move(name), std::move(memory), record_size});
   return {static_cast<int>(parts_.size()) - 1};
+}
+
+void StepGraphBuilder::share_parts(std::shared_ptr<const std::vector<Part>> parts) {
+  assert(parts && parts_.empty());
+  shared_ = std::move(parts);
 }
 
 NodeId StepGraphBuilder::add_declared_node(Node node, std::function<void()> body) {
   for (auto* list : {&node.reads, &node.writes}) {
     sort_unique(*list);
     if (list->empty()) continue;
-    if (list->front().index < 0 || list->back().index >= static_cast<int>(parts_.size())) {
+    if (list->front().index < 0 || list->back().index >= static_cast<int>(parts().size())) {
       throw InputError("node \"" + name_of(node.label, subsystem_word_) +
                        "\" declares a part that was not added");
     }
@@ -182,9 +188,9 @@ NodeId StepGraphBuilder::repeat_node(NodeId node, int pass) {
 }
 
 StepGraph StepGraphBuilder::build() {
-  require_different_names(parts_);
+  require_different_names(parts());
   require_different_labels(nodes_, body_of_, subsystem_word_);
-  NodeLists predecessors = derive_predecessors(nodes_, parts_.size());
+  NodeLists predecessors = derive_predecessors(nodes_, parts().size());
   reduce_transitively(predecessors);
 
   StepGraph graph;
@@ -194,7 +200,8 @@ StepGraph StepGraphBuilder::build() {
       static_cast<int>(nodes_.size()), [&](NodeId node) { return graph.predecessors(node); },
       [&](NodeId node) { return graph.successors(node); });
   graph.nodes_ = std::exchange(nodes_, {});
-  graph.parts_ = std::exchange(parts_, {});
+  graph.parts_ = shared_ ? std::exchange(shared_, {})
+                         : std::make_shared<const std::vector<Part>>(std::exchange(parts_, {}));
   graph.bodies_ = std::exchange(bodies_, {});
   graph.body_of_ = std::exchange(body_of_, {});
   graph.subsystem_word_ = subsystem_word_;

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -73,7 +74,7 @@ class SPOKE_EXPORT StepGraph {
   /// Returns the parts that nodes read and write, in the order of addition.
   std::span<const Part> parts() const;
   /// Returns one of the parts.
-  const Part& part(PartId id) const { return parts_[static_cast<std::size_t>(id.index)]; }
+  const Part& part(PartId id) const { return (*parts_)[static_cast<std::size_t>(id.index)]; }
 
   /// Returns the nodes that wait for `node`, ascending, without implied edges.
   std::span<const NodeId> successors(NodeId node) const {
@@ -110,7 +111,7 @@ class SPOKE_EXPORT StepGraph {
   CompressedRows<NodeId> predecessors_;
   std::vector<NodeId> serial_order_;
   std::vector<Node> nodes_;
-  std::vector<Part> parts_;
+  std::shared_ptr<const std::vector<Part>> parts_;
   std::string subsystem_word_;
 };
 
@@ -125,6 +126,9 @@ class SPOKE_EXPORT StepGraphBuilder {
   /// is derived from them. `record_size`: see Part.
   PartId add_part(std::string name, std::vector<std::span<std::byte>> memory,
                   std::size_t record_size = 0);
+  /// Takes parts that graphs share, in the place of parts of its own: their handles are their
+  /// places. Precondition: no part was added, and none will be.
+  void share_parts(std::shared_ptr<const std::vector<Part>> parts);
 
   /// Adds a node that runs `body`, a copyable, nothrow `void()`. It sees every part as left by the
   /// nodes added before it. Throws InputError at a part this builder does not know.
@@ -149,9 +153,11 @@ class SPOKE_EXPORT StepGraphBuilder {
 
  private:
   NodeId add_declared_node(Node node, std::function<void()> body);
+  const std::vector<Part>& parts() const { return shared_ ? *shared_ : parts_; }
 
   std::string subsystem_word_;
   std::vector<Part> parts_;
+  std::shared_ptr<const std::vector<Part>> shared_;  ///< in their place; null: none
   std::vector<Node> nodes_;
   std::vector<std::function<void()>> bodies_;
   std::vector<std::uint32_t> body_of_;

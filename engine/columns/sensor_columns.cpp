@@ -156,9 +156,7 @@ std::vector<SensorColumn> place_sensors(std::span<const Sensor> sensors, const R
       add_columns(sensor, i, components,
                   places.empty() ? places : std::vector<std::size_t>{places[i - first]}, columns);
   }
-  for (SubsystemData<Plane>& subsystem : data.subsystems)
-    subsystem.reading_ring = ArenaVector<double>(subsystem.reading_count * subsystem.samples.size(),
-                                                 0.0, *subsystem.arena);
+  for (SubsystemData<Plane>& subsystem : data.subsystems) place_reading_ring(subsystem);
   return columns;
 }
 

@@ -234,9 +234,7 @@ std::vector<SensorColumn> place_sensors(std::span<const Sensor> sensors, std::si
 }
 
 void make_reading_rings(StepData<Space>& data) {
-  for (SubsystemData<Space>& subsystem : data.subsystems)
-    subsystem.reading_ring = ArenaVector<double>(subsystem.reading_count * subsystem.samples.size(),
-                                                 0.0, *subsystem.arena);
+  for (SubsystemData<Space>& subsystem : data.subsystems) place_reading_ring(subsystem);
 }
 
 std::size_t count_reading_bytes(const StepData<Space>& data) {

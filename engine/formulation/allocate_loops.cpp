@@ -133,8 +133,43 @@ void allocate_loops(const Subsystem<World>& subsystem, SubsystemData<World>& dat
     *pivots = ArenaVector<double>(rows, 1.0, arena);
   loops.multipliers = ArenaVector<double>(rows, 0.0, arena);
   loops.kept_multipliers = ArenaVector<double>(rows, 0.0, arena);
+  const PartMaker& maker = data.part_maker;
+  LoopParts& parts = data.parts.loops;
+  parts.motion = maker.cover(
+      "loop motion", Mark::none, loops.poses,
+      memory_of(loops.accelerations.data(), static_cast<std::size_t>(loops.last_body + 1)),
+      loops.states);
+  parts.factor = maker.cover("loop factor", Mark::none, loops.multipliers);
+  parts.report = maker.cover("loop report", Mark::reported, loops.report);
+  maker.add(data.parts.joint_loads, loops.kept_multipliers);
 }
 
+template <class World>
+graph::PartId declare_loop_rows(std::size_t k, SubsystemData<World>& data) {
+  LoopData<World>& loops = data.loops;
+  const auto rows = static_cast<std::size_t>(loops.paths[k].rows);
+  const int row = loops.paths[k].first_row;
+  data.parts.loops.columns.push_back(
+      maker_of_loop(k, data).cover("columns", Mark::none, memory_of(loops.hub.data() + row, rows),
+                                   memory_of(loops.free.data() + row, rows)));
+  return data.parts.loops.columns.back();
+}
+
+template <class World>
+void declare_loop_matrix(SubsystemData<World>& data) {
+  LoopData<World>& loops = data.loops;
+  if (loops.is_empty()) return;
+  const PartMaker& maker = data.part_maker;
+  LoopParts& parts = data.parts.loops;
+  maker.add(parts.factor, loops.matrix.values(), loops.half_hub, loops.half, loops.pivots);
+  parts.first_pivots =
+      maker.cover("first pivots of loops", Mark::state, loops.first_explicit, loops.first_implicit);
+}
+
+template graph::PartId declare_loop_rows(std::size_t, SubsystemData<Plane>&);
+template graph::PartId declare_loop_rows(std::size_t, SubsystemData<Space>&);
+template void declare_loop_matrix(SubsystemData<Plane>&);
+template void declare_loop_matrix(SubsystemData<Space>&);
 template void allocate_loops(const Subsystem<Plane>&, SubsystemData<Plane>&);
 template void allocate_loops(const Subsystem<Space>&, SubsystemData<Space>&);
 

@@ -156,8 +156,8 @@ void copy_lower_to_upper(Work& work) {
 }  // namespace
 
 template <class World>
-void allocate(const System<World>& system, const StepData<World>& data,
-              std::vector<std::vector<subsystem::DenseBlocks>> elastic, Work& work) {
+void allocate(const System<World>& system, std::vector<std::vector<subsystem::DenseBlocks>> elastic,
+              StepData<World>& data, Work& work) {
   assert(elastic.size() == data.subsystems.size());
   constexpr int d = World::kTwist;
   work.elastic = std::move(elastic);
@@ -197,6 +197,10 @@ void allocate(const System<World>& system, const StepData<World>& data,
   work.factor = LuFactors(next);
   work.right.setZero(next);
   work.solution.setZero(next);
+  data.parts.augmented_solution =
+      PartMaker(data.all_parts)
+          .cover("augmented solution", Mark::none,
+                 memory_of(work.solution.data(), static_cast<std::size_t>(next)));
 }
 
 template <class World>
@@ -263,16 +267,16 @@ void recover_body(int subsystem, int body, const Work& work, BodyData<World>& da
       work.solution.segment(work.first[subsystem][body], dense_size(*data.model->body)), data, a);
 }
 
-template void allocate(const System<Plane>&, const StepData<Plane>&,
-                       std::vector<std::vector<subsystem::DenseBlocks>>, Work&);
+template void allocate(const System<Plane>&, std::vector<std::vector<subsystem::DenseBlocks>>,
+                       StepData<Plane>&, Work&);
 template void solve(const System<Plane>&, StepData<Plane>&, Work&) noexcept;
 template void recover_wrenches(int, const Subsystem<Plane>&, const Work&,
                                SubsystemData<Plane>&) noexcept;
 template void take_loop_forces(int, const Work&, SubsystemData<Plane>&) noexcept;
 template void take_loop_forces(int, const Work&, SubsystemData<Space>&) noexcept;
 template void recover_body(int, int, const Work&, BodyData<Plane>&, double*) noexcept;
-template void allocate(const System<Space>&, const StepData<Space>&,
-                       std::vector<std::vector<subsystem::DenseBlocks>>, Work&);
+template void allocate(const System<Space>&, std::vector<std::vector<subsystem::DenseBlocks>>,
+                       StepData<Space>&, Work&);
 template void solve(const System<Space>&, StepData<Space>&, Work&) noexcept;
 template void recover_wrenches(int, const Subsystem<Space>&, const Work&,
                                SubsystemData<Space>&) noexcept;

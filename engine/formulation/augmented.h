@@ -34,8 +34,8 @@ struct Work {
 };
 
 template <class World>
-void allocate(const System<World>& system, const StepData<World>& data,
-              std::vector<std::vector<subsystem::DenseBlocks>> elastic, Work& work);
+void allocate(const System<World>& system, std::vector<std::vector<subsystem::DenseBlocks>> elastic,
+              StepData<World>& data, Work& work);
 
 /// Assembles and solves (P 4); writes the hub's solution and `work.solution`.
 template <class World>

@@ -9,6 +9,8 @@
 // D, N and free come from the formulation: loop columns. The rest is common to `structured` and
 // `subsystem`; `augmented` has the rows in its one system.
 
+#include <string>
+
 #include "engine/table/step_data.h"
 
 namespace spoke {
@@ -16,6 +18,20 @@ namespace spoke {
 /// Allocates the loops of a subsystem; all rows take part.
 template <class World>
 void allocate_loops(const Subsystem<World>& subsystem, SubsystemData<World>& data);
+
+// Declare parts of loops that a formulation solves for.
+
+/// Returns what declares the parts of loop k.
+template <class World>
+PartMaker maker_of_loop(std::size_t k, const SubsystemData<World>& data) {
+  return data.part_maker.of("loop " + std::to_string(k + 1));
+}
+/// Declares the columns of loop k, as far as both formulations have them, and returns their part.
+template <class World>
+graph::PartId declare_loop_rows(std::size_t k, SubsystemData<World>& data);
+/// Declares the matrix of all loops, and its factor.
+template <class World>
+void declare_loop_matrix(SubsystemData<World>& data);
 
 /// Whether a row's force is an unknown of the pass.
 inline bool is_solved(LoopRowUse use, bool is_implicit) {

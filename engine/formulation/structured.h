@@ -42,7 +42,7 @@ struct alignas(kInterferenceSize) SubsystemWork {
 };
 
 template <class World>
-void allocate(const SubsystemData<World>& data, SubsystemWork<World>& work);
+void allocate(SubsystemData<World>& data, SubsystemWork<World>& work);
 
 /// Solves for W_theta and z and condenses a body to its multi-port; `twist`: of its frame.
 void condense_body(const BodyData<Plane>& data, const Twist& twist, bool implicit,

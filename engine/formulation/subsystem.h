@@ -71,7 +71,7 @@ struct alignas(kInterferenceSize) SubsystemWork {
 
 /// Allocates the work of one subsystem; `elastic`: by body.
 template <class World>
-void allocate(const SubsystemData<World>& data, const std::vector<DenseBlocks>& elastic,
+void allocate(const std::vector<DenseBlocks>& elastic, SubsystemData<World>& data,
               SubsystemWork<World>& work);
 
 /// Assembles and inverts one block of (P 11).

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "engine/formulation/body_parts.h"
 #include "engine/formulation/tree_joints.h"
 #include "engine/kernels/dense_body.h"
 #include "engine/space/solid_block.h"
@@ -130,7 +131,8 @@ template <class World>
 void make_elastic_blocks(const ElasticShares& implicit, StepData<World>& data,
                          FormulationWork<World>& work) {
   for (SubsystemData<World>& subsystem : data.subsystems)
-    for (BodyData<World>& member : subsystem.bodies) {
+    for (std::size_t j = 0; j < subsystem.bodies.size(); ++j) {
+      BodyData<World>& member = subsystem.bodies[j];
       const typename World::Body& body = *member.model->body;
       const auto [at, is_new] = work.blocks.try_emplace(&body);
       if (is_new) {
@@ -139,6 +141,8 @@ void make_elastic_blocks(const ElasticShares& implicit, StepData<World>& data,
       }
       member.blocks = {&at->second[0], &at->second[1]};
       add_tension(implicit, member, work);
+      declare_tension(j, subsystem);
+      declare_tiles(j, subsystem);
     }
 }
 
@@ -288,10 +292,10 @@ void allocate(const System<World>& system, Formulation formulation, const Elasti
   }
   auto blocks = make_dense_blocks(data, implicit);
   if (formulation == Formulation::augmented)
-    return augmented::allocate(system, data, std::move(blocks), work.augmented);
+    return augmented::allocate(system, std::move(blocks), data, work.augmented);
   work.subsystem.resize(count);
   for (std::size_t i = 0; i < count; ++i)
-    subsystem::allocate(data.subsystems[i], blocks[i], work.subsystem[i]);
+    subsystem::allocate(blocks[i], data.subsystems[i], work.subsystem[i]);
 }
 
 template <class World>

@@ -68,6 +68,10 @@ void place_on(const BladeAirModel& model, std::size_t i, SubsystemData<Space>& d
   made.stations = ArenaVector<air::StationAir>(stations, air::StationAir{}, *data.arena);
   made.states = ArenaVector<double>(states, 0.0, *data.arena);
   made.reached = ArenaVector<double>(states, 0.0, *data.arena);
+  const PartMaker& maker = data.part_maker;
+  data.parts.air = maker.cover("air", Mark::none, made.wrenches, made.stations, made.sum);
+  data.parts.air_reached = maker.cover("air states reached", Mark::none, made.reached);
+  data.parts.air_states = maker.cover("air states", Mark::state, made.states);
   made.motions.resize(stations);
   made.sections.resize(stations);
   made.winds.resize(stations, Eigen::Vector3d::Zero());

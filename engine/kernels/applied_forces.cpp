@@ -40,12 +40,22 @@ bool any_body_feels(const SubsystemData<World>& data) {
 }
 
 void place_element_forces(SubsystemData<Plane>& data) {
-  for (BodyData<Plane>& body : data.bodies)
-    if (body.model->stiffening && body.forces && body.element_forces.empty())
-      body.element_forces = ArenaVector<Position>(
-          static_cast<std::size_t>(body.model->body->elements) + 1, Position::Zero(), *data.arena);
+  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
+    BodyData<Plane>& body = data.bodies[j];
+    if (!body.model->stiffening || !body.forces || !body.element_forces.empty()) continue;
+    body.element_forces = ArenaVector<Position>(
+        static_cast<std::size_t>(body.model->body->elements) + 1, Position::Zero(), *data.arena);
+    data.part_maker.add(data.parts.bodies[j].terms, body.element_forces);
+  }
 }
 void place_element_forces(SubsystemData<Space>&) {}
+
+// Slides that deformation makes are found with the sums.
+void add_slides(SubsystemData<Plane>&) {}
+void add_slides(SubsystemData<Space>& data) {
+  for (BodyData<Space>& body : data.bodies)
+    if (body.model->joint.slide) data.part_maker.add(data.parts.applied_forces, body.slide);
+}
 
 }  // namespace
 
@@ -67,6 +77,9 @@ void place_applied_forces(StepData<World>& data) {
     if (!is_needed || !subsystem.applied_forces.empty()) continue;
     subsystem.applied_forces = ArenaVector<PositionOf<World>>(
         subsystem.bodies.size() + 1, PositionOf<World>::Zero(), *subsystem.arena);
+    subsystem.parts.applied_forces =
+        subsystem.part_maker.cover("applied forces", Mark::none, subsystem.applied_forces);
+    add_slides(subsystem);
   }
   for (SubsystemData<World>& subsystem : data.subsystems) place_element_forces(subsystem);
 }

@@ -189,6 +189,9 @@ LoadData<World>& add_load_data(const AskedLoad& asked, StepData<World>& table) {
       table.subsystems[static_cast<std::size_t>(data.subsystems.front())];
   data.wrenches = ArenaVector<SectionWrench<World>>(markers.size(), *subsystem.arena);
   for (SectionWrench<World>& wrench : data.wrenches) set_all(0.0, wrench);
+  std::vector<graph::PartId>& parts = subsystem.parts.loads;
+  parts.push_back(subsystem.part_maker.cover("load " + std::to_string(parts.size() + 1), Mark::none,
+                                             data.wrenches));
   data.motions.resize(markers.size());
   data.forces.resize(markers.size());
   return subsystem.loads.emplace_back(std::move(data));

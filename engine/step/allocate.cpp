@@ -72,20 +72,19 @@ void start_controls(const System<World>& system, StepData<World>& data) {
                    data.subsystems[i].controls.begin(), start_control);
 }
 
-void set_start(const System<Plane>&, bool, StepData<Plane>&) {}
+void set_start(const System<Plane>&, StepData<Plane>&) {}
 
-void set_start(const TreeBody<Space>& model, bool is_explicit, BodyData<Space>& body) {
+void set_start(const TreeBody<Space>& model, BodyData<Space>& body) {
   space::JointData& joint = body.joint;
   const space::JointCourse& course = model.joint.course;
-  if (is_explicit) joint.a_found = joint.coordinates.a;
   put_joint(model.joint.joint, course.initial.data(), joint);
   std::copy(course.initial_speed.begin(), course.initial_speed.end(), joint.coordinates.v);
 }
 
-void set_start(const System<Space>& system, bool is_explicit, StepData<Space>& data) {
+void set_start(const System<Space>& system, StepData<Space>& data) {
   for (std::size_t i = 0; i < data.subsystems.size(); ++i)
     for (std::size_t j = 0; j < data.subsystems[i].bodies.size(); ++j)
-      set_start(system.subsystems[i].bodies[j], is_explicit, data.subsystems[i].bodies[j]);
+      set_start(system.subsystems[i].bodies[j], data.subsystems[i].bodies[j]);
 }
 
 }  // namespace
@@ -100,7 +99,7 @@ void allocate(SystemContext<World>& context, int window_steps) {
   const bool is_coupled = context.formulation == Formulation::augmented ||
                           !is_prescribed(context.system) || !context.system.rotors.empty() ||
                           context.loads_tie_subsystems;
-  allocate(context.system, {history, is_coupled, window_steps, context.linear_range}, data);
+  allocate(context.system, {history, !alpha, is_coupled, window_steps, context.linear_range}, data);
   for (std::size_t i = 0; i < data.subsystems.size(); ++i)
     allocate_loops(context.system.subsystems[i], data.subsystems[i]);
   set_lengths(data);
@@ -112,11 +111,10 @@ void allocate(SystemContext<World>& context, int window_steps) {
       body.q_elastic = is_split ? block.history[GeneralizedAlpha::predicted_q] : block.q;
       body.v_elastic = is_split ? block.history[GeneralizedAlpha::predicted_v] : block.v;
       body.v_modal = block.v;
-      if (!alpha) body.a_found = block.a;
     }
   allocate(context.system, context.formulation, implicit_shares(method, context.system.damping),
            data, context.work);
-  set_start(context.system, !alpha, data);
+  set_start(context.system, data);
   place_air(context.system, data);
   start_controls(context.system, data);
   place_applied_forces(data);

@@ -8,7 +8,6 @@
 #include "engine/formulation/tree_joints.h"
 #include "engine/step/stages.h"
 #include "engine/step/step_context.h"
-#include "engine/step/step_parts.h"
 #include "graph/step_graph.h"
 
 namespace spoke {
@@ -19,11 +18,12 @@ using PartList = std::vector<graph::PartId>;
 template <class World>
 struct Assembly {
   SystemContext<World>& c;
-  const StepParts& parts;
   graph::StepGraphBuilder& builder;
   int pass = -1;
 
-  const SubsystemParts& subsystem(int i) const { return parts.subsystems[i]; }
+  /// Returns the parts of the system, and those of subsystem `i`.
+  const SystemParts& parts() const { return c.data.parts; }
+  const SubsystemParts& subsystem(int i) const { return c.data.subsystems[i].parts; }
   graph::NodeLabel label(const char* stage, int subsystem = -1, int body = -1) const {
     return {stage, subsystem, body, pass};
   }
@@ -57,6 +57,20 @@ int find_hub(const Assembly<World>& g, int i, int j) {
 /// Returns the parts of the user's loads, and of air, that act on body `j` of subsystem `i`.
 template <class World>
 PartList loads_on(const Assembly<World>& g, int i, int j);
+/// Returns one member of all subsystems, and one of all bodies of all subsystems.
+template <class World>
+PartList all_of(const Assembly<World>& g, graph::PartId SubsystemParts::*member) {
+  PartList list;
+  for (const SubsystemData<World>& data : g.c.data.subsystems) list.push_back(data.parts.*member);
+  return list;
+}
+template <class World>
+PartList all_of(const Assembly<World>& g, graph::PartId BodyParts::*member) {
+  PartList list;
+  for (const SubsystemData<World>& data : g.c.data.subsystems)
+    for (const BodyParts& body : data.parts.bodies) list.push_back(body.*member);
+  return list;
+}
 /// Whether a body's joint has coordinates, whose accelerations then are among those of the body.
 template <class World>
 bool has_coordinates(const TreeBody<World>& body) {

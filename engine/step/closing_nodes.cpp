@@ -27,7 +27,7 @@ template <class World>
 PartList joint_load_inputs(const Assembly<World>& g, int i) {
   const SubsystemParts& own = g.subsystem(i);
   PartList inputs{own.wrenches, own.rotations};
-  if (!own.loops.is_empty)
+  if (!own.loops.is_empty())
     for (const PartId part : {own.loops.motion, own.loops.factor}) inputs.push_back(part);
   if (!g.c.system.subsystems[i].bodies.front().stiffening) return inputs;
   inputs.push_back(own.hub_acceleration);
@@ -40,9 +40,7 @@ PartList joint_load_inputs(const Assembly<World>& g, int i) {
 PartList reading_inputs(const Assembly<Plane>& g, int i) {
   PartList inputs;
   const std::vector<Reading<Plane>>& readings = g.c.data.subsystems[i].readings;
-  const auto add = [&inputs](const PartList& list) {
-    inputs.insert(inputs.end(), list.begin(), list.end());
-  };
+  const auto add = [&inputs](const PartList& list) { graph::add_to(inputs, list); };
   for (const Reading<Plane>& reading : readings) {
     const bool is_root = reading.body == 0 && reading.section.x == 0.0;
     const bool is_load = reading.quantity == SensorQuantity::section_force && !is_root;
@@ -52,16 +50,14 @@ PartList reading_inputs(const Assembly<Plane>& g, int i) {
     if (!is_accelerated) continue;
     for (int j = 0; j <= reading.body; ++j)
       inputs.push_back(g.subsystem(i).bodies[static_cast<std::size_t>(j)].accelerations);
-    if (feels_hub && g.c.data.is_coupled) inputs.push_back(g.parts.hub_coordinates);
+    if (feels_hub && g.c.data.is_coupled) inputs.push_back(g.parts().hub_coordinates);
   }
   return inputs;
 }
 
 PartList reading_inputs(const Assembly<Space>& g, int i) {
   PartList inputs;
-  const auto add = [&inputs](const PartList& list) {
-    inputs.insert(inputs.end(), list.begin(), list.end());
-  };
+  const auto add = [&inputs](const PartList& list) { graph::add_to(inputs, list); };
   for (const Reading<Space>& reading : g.c.data.subsystems[i].readings) {
     const bool is_load = reading.quantity == SensorQuantity::section_force && !reading.is_root();
     if (is_load) add(loads_on(g, i, reading.body()));
@@ -69,7 +65,7 @@ PartList reading_inputs(const Assembly<Space>& g, int i) {
     for (const int j : reading.path)
       inputs.push_back(g.subsystem(i).bodies[static_cast<std::size_t>(j)].accelerations);
     if (g.c.data.is_coupled && g.c.system.subsystems[i].rotor < 0)
-      inputs.push_back(g.parts.hub_coordinates);
+      inputs.push_back(g.parts().hub_coordinates);
   }
   return inputs;
 }
@@ -99,20 +95,20 @@ void keep_readings(const SystemContext<Space>& c, std::size_t i, std::int64_t st
 template <class World>
 void add_finish(const Assembly<World>& g) {
   SystemContext<World>& c = g.c;
-  const StepParts& parts = g.parts;
+  const SystemParts& parts = g.parts();
   const bool is_corrected = corrects_hub(g);
   PartList outputs{parts.progress, parts.records}, supports;
   for (std::size_t r = 0; r < parts.rotors.size(); ++r) {
     const SubsystemParts& support = g.subsystem(c.system.rotors[r].subsystem);
-    outputs.insert(outputs.end(), {parts.rotors[r].hub, support.rotations, support.twists});
+    graph::add_to(outputs, parts.rotors[r].hub, support.rotations, support.twists);
     supports.push_back(support.wrenches);
     for (const auto member : {&BodyParts::coordinates, &BodyParts::accelerations})
       for (const PartId part : support.all(member)) supports.push_back(part);
   }
   PartList reports;
-  for (std::size_t i = 0; i < parts.subsystems.size(); ++i) {
-    const SubsystemParts& own = parts.subsystems[i];
-    if (!own.loops.is_empty) reports.push_back(own.loops.report);
+  for (std::size_t i = 0; i < c.data.subsystems.size(); ++i) {
+    const SubsystemParts& own = c.data.subsystems[i].parts;
+    if (!own.loops.is_empty()) reports.push_back(own.loops.report);
     if (!c.data.subsystems[i].air) continue;
     reports.push_back(own.air_reached);
     outputs.push_back(own.air_states);
@@ -120,7 +116,7 @@ void add_finish(const Assembly<World>& g) {
   if (is_corrected) outputs.push_back(parts.hub_state);
   g.builder.add_node(
       g.label(stages::kFinish),
-      reads(outputs, supports, reports, parts.all(&BodyParts::report), parts.all(&BodyParts::terms),
+      reads(outputs, supports, reports, all_of(g, &BodyParts::report), all_of(g, &BodyParts::power),
             parts.hub_solution, parts.hub_state, parts.hub_coordinates),
       writes(outputs), [&c, is_corrected]() noexcept {
         StepProgress& progress = c.data.progress[0];
@@ -146,14 +142,14 @@ void add_subsystem_finish(const Assembly<World>& g, int i) {
   const Window& window = g.c.data.window;
   SubsystemData<World>& data = g.c.data.subsystems[i];
   PartList reports, states;
-  if (!own.loops.is_empty) reports.push_back(own.loops.report);
+  if (!own.loops.is_empty()) reports.push_back(own.loops.report);
   if (data.air) {
     reports.push_back(own.air_reached);
     states.push_back(own.air_states);
   }
   g.builder.add_node(g.label(stages::kFinish, i),
                      reads(reports, states, own.progress, own.all(&BodyParts::report),
-                           own.all(&BodyParts::terms), own.effective, own.hub_state, own.records),
+                           own.all(&BodyParts::power), own.effective, own.hub_state, own.records),
                      writes(own.progress, own.records, states),
                      [&hub = g.c.system.hub, &integrator, &window, &data]() noexcept {
                        if (data.progress->is_halted)
@@ -174,11 +170,11 @@ void add_sensors(const Assembly<World>& g, int i) {
   PartList outputs{own.poses, own.samples, own.joint_loads};
   if (data.reading_count > 0) outputs.push_back(own.readings);
   for (const PartId part : sample_outputs(g, i)) outputs.push_back(part);
-  if (!own.loops.is_empty) outputs.push_back(own.loops.motion);
+  if (!own.loops.is_empty()) outputs.push_back(own.loops.motion);
   PartList air;
   if (data.air) air.push_back(own.air);
   const PartList inputs{own.rotations, own.twists};
-  if (is_corrected) outputs.insert(outputs.end(), inputs.begin(), inputs.end());
+  if (is_corrected) graph::add_to(outputs, inputs);
   g.builder.add_node(
       g.label(stages::kSensors, i),
       reads(own.progress, own.all(&BodyParts::coordinates), own.hub_state, inputs,

@@ -18,7 +18,7 @@ PartList speed_inputs(const Assembly<World>& g, int i) {
   const System<World>& system = g.c.system;
   const int r = system.subsystems[static_cast<std::size_t>(i)].rotor;
   if (prescribes_motion(drive_of(system))) return {};
-  if (r < 0) return {g.parts.hub_coordinates};
+  if (r < 0) return {g.parts().hub_coordinates};
   const SupportedRotor& rotor = system.rotors[static_cast<std::size_t>(r)];
   return {g.subsystem(rotor.subsystem).bodies[static_cast<std::size_t>(rotor.body)].coordinates};
 }

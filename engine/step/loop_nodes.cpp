@@ -25,8 +25,6 @@ ClosureGains gains_of(const Method& method, const PassControl& control) {
   return {alpha->position_gain, alpha->velocity_gain, control.stage == PassControl::kRestart};
 }
 
-void add(const PartList& list, PartList& to) { to.insert(to.end(), list.begin(), list.end()); }
-
 /// Returns the part of the table that has a body's response to wrenches on its handles.
 template <class World>
 PartId response_of(const Assembly<World>& g, int i, int body) {
@@ -103,7 +101,7 @@ void add_columns(const Assembly<World>& g, int i, std::size_t k) {
 template <class World>
 void add_loop_motion(const Assembly<World>& g, int i) {
   const SubsystemParts& own = g.subsystem(i);
-  if (own.loops.is_empty) return;
+  if (own.loops.is_empty()) return;
   SystemContext<World>& c = g.c;
   PartList inputs{own.progress, own.rotations, own.twists, own.hub_state};
   const bool is_implicit = std::holds_alternative<GeneralizedAlpha>(c.integrator.method);
@@ -112,7 +110,7 @@ void add_loop_motion(const Assembly<World>& g, int i) {
     if (!tree::kHasJointCoordinates<World>) inputs.push_back(own.bodies[j].coordinates);
     if (is_implicit) inputs.push_back(own.bodies[j].accelerations);
   }
-  if (is_implicit && c.data.is_coupled) inputs.push_back(g.parts.hub_coordinates);
+  if (is_implicit && c.data.is_coupled) inputs.push_back(g.parts().hub_coordinates);
   SubsystemData<World>& data = c.data.subsystems[i];
   // Frames' accelerations are of implicit passes alone.
   inputs.push_back(own.loops.motion);
@@ -127,17 +125,16 @@ void add_loop_motion(const Assembly<World>& g, int i) {
 template <class World>
 void add_loop_factor(const Assembly<World>& g, int i) {
   const SubsystemParts& own = g.subsystem(i);
-  if (own.loops.is_empty) return;
+  if (own.loops.is_empty()) return;
   const Subsystem<World>& subsystem = g.c.system.subsystems[i];
   SubsystemData<World>& data = g.c.data.subsystems[i];
   for (std::size_t k = 0; k < subsystem.loops.size(); ++k) add_columns(g, i, k);
   PartList inputs = factor_inputs(g, i);
-  add(own.loops.columns, inputs);
-  // The first pivots stay.
-  inputs.push_back(own.loops.factor);
+  graph::add_to(inputs, own.loops.columns);
+  inputs.push_back(own.loops.first_pivots);  // they stay but at the start
   const auto add_node = [&](auto fill) {
     g.builder.add_node(g.label(stages::kLoopFactor, i), reads(inputs),
-                       writes(own.loops.factor, own.effective),
+                       writes(own.loops.factor, own.loops.first_pivots, own.effective),
                        unless_halted(*data.progress, [fill, &data]() noexcept {
                          fill();
                          factorise_loops(data);
@@ -155,7 +152,7 @@ void add_loop_factor(const Assembly<World>& g, int i) {
 template <class World>
 void add_loop_forces(const Assembly<World>& g, int i) {
   const SubsystemParts& own = g.subsystem(i);
-  if (own.loops.is_empty) return;
+  if (own.loops.is_empty()) return;
   SystemContext<World>& c = g.c;
   const Subsystem<World>& subsystem = c.system.subsystems[i];
   SubsystemData<World>& data = c.data.subsystems[i];
@@ -170,19 +167,20 @@ void add_loop_forces(const Assembly<World>& g, int i) {
                        }));
   };
   if (c.formulation == Formulation::augmented) {
-    inputs.push_back(g.parts.augmented_solution);
+    inputs.push_back(g.parts().augmented_solution);
     return add_node([i, &data, &work = c.work.augmented]() noexcept {
       augmented::take_loop_forces(i, work, data);
     });
   }
   inputs.push_back(own.loops.factor);
+  inputs.push_back(own.loops.first_pivots);
   inputs.push_back(own.hub_acceleration);
   inputs.push_back(own.effective);
   outputs.push_back(own.effective);
-  add(own.loops.columns, inputs);
+  graph::add_to(inputs, own.loops.columns);
   if (c.formulation == Formulation::structured) {
-    add(own.joints(), inputs);
-    add(own.joints(), outputs);
+    graph::add_to(inputs, own.joints());
+    graph::add_to(outputs, own.joints());
     return add_node([&data, &work = c.work.structured[i]]() noexcept {
       calc_loop_forces(data);
       structured::load_joints_by_loops(data, work);

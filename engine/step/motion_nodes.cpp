@@ -77,7 +77,7 @@ template <class World>
 bool needs_angular_accelerations(const Assembly<World>& g, int i) {
   const std::vector<BodyParts>& bodies = g.subsystem(i).bodies;
   return std::any_of(bodies.begin(), bodies.end(),
-                     [](const BodyParts& body) { return !body.tension.empty(); });
+                     [](const BodyParts& body) { return body.tension.index >= 0; });
 }
 
 }  // namespace
@@ -85,7 +85,7 @@ bool needs_angular_accelerations(const Assembly<World>& g, int i) {
 template <class World>
 void add_hub_motion(const Assembly<World>& g) {
   SystemContext<World>& c = g.c;
-  const StepParts& parts = g.parts;
+  const SystemParts& parts = g.parts();
   g.builder.add_node(g.label(c.system.rotors.empty() ? stages::kHubMotion : stages::kSupportMotion),
                      reads(parts.progress, parts.hub_coordinates, parts.hub_history),
                      writes(parts.hub_coordinates, parts.hub_history, parts.hub_state),
@@ -99,15 +99,15 @@ void add_rotor_motion(const Assembly<World>& g, int r) {
   const auto index = static_cast<std::size_t>(r);
   SystemContext<World>& c = g.c;
   const SubsystemParts& support = g.subsystem(c.system.rotors[index].subsystem);
-  const PartId hub = g.parts.rotors[index].hub;
+  const PartId hub = g.parts().rotors[index].hub;
   PartList inputs = support.all(&BodyParts::coordinates);
   const bool is_implicit = std::holds_alternative<GeneralizedAlpha>(c.integrator.method);
   for (const PartId part : support.all(&BodyParts::accelerations)) inputs.push_back(part);
-  if (is_implicit || c.system.rotors[index].is_moved) inputs.push_back(g.parts.hub_coordinates);
+  if (is_implicit || c.system.rotors[index].is_moved) inputs.push_back(g.parts().hub_coordinates);
   StepProgress& progress = c.data.progress[0];
   g.builder.add_node(
       g.label(stages::kHubMotion),
-      reads(g.parts.progress, support.rotations, support.twists, support.hub_state, inputs, hub),
+      reads(g.parts().progress, support.rotations, support.twists, support.hub_state, inputs, hub),
       writes(hub), unless_halted(progress, [&c, &progress, index]() noexcept {
         place_rotor(c.system, index, progress.control.time, progress.control.is_implicit, c.data);
       }));
@@ -169,15 +169,15 @@ void add_velocity(const Assembly<World>& g, int i) {
   if constexpr (tree::kHasJointCoordinates<World>)
     outputs.push_back(own.rotations);  // the node sets the joints, too
   if constexpr (tree::kHasJointCoordinates<World>)
-    if (follows_free_hub(system, subsystem)) azimuth.push_back(g.parts.hub_coordinates);
+    if (follows_free_hub(system, subsystem)) azimuth.push_back(g.parts().hub_coordinates);
   const bool has_tension = needs_angular_accelerations(g, i);
   PartList accelerations;
   if (has_tension) {
     accelerations = chain_parts(g, i, &BodyParts::accelerations);
     if constexpr (tree::kHasJointCoordinates<World>)  // whether there is any at this speed
       for (const BodyParts& body : own.bodies)
-        accelerations.insert(accelerations.end(), body.tension.begin(), body.tension.end());
-    if (table.is_coupled && subsystem.rotor < 0) accelerations.push_back(g.parts.hub_coordinates);
+        graph::add_to(accelerations, graph::maybe(body.tension));
+    if (table.is_coupled && subsystem.rotor < 0) accelerations.push_back(g.parts().hub_coordinates);
   }
   PartList modal;
   if (!data.modal_forces.empty()) {
@@ -274,7 +274,7 @@ PartList force_inputs(const Assembly<World>& g, int i) {
         }))
       add(own.hub_state);
     const PartList loads = loads_on(g, i, static_cast<int>(j));
-    inputs.insert(inputs.end(), loads.begin(), loads.end());
+    graph::add_to(inputs, loads);
     if (!has_slide(model)) continue;
     add(own.bodies[j].coordinates);
     for (int k = model.parent; k >= 0; k = data.bodies[static_cast<std::size_t>(k)].model->parent)
@@ -303,17 +303,17 @@ void add_applied_forces(const Assembly<World>& g, int i) {
 template <class World>
 void add_flight_acceleration(const Assembly<World>& g) {
   SystemContext<World>& c = g.c;
-  PartList inputs{g.parts.progress, g.parts.hub_state};
+  PartList inputs{g.parts().progress, g.parts().hub_state};
   bool is_needed = false;
   for (std::size_t i = 0; i < c.data.subsystems.size(); ++i) {
     const SubsystemData<World>& data = c.data.subsystems[i];
     is_needed |= data.flight_acceleration != nullptr;
-    if (!data.applied_forces.empty()) inputs.push_back(g.parts.subsystems[i].applied_forces);
+    if (!data.applied_forces.empty()) inputs.push_back(g.c.data.subsystems[i].parts.applied_forces);
   }
-  for (const RotorParts& rotor : g.parts.rotors) inputs.push_back(rotor.hub);
+  for (const RotorParts& rotor : g.parts().rotors) inputs.push_back(rotor.hub);
   if (!is_needed) return;
   g.builder.add_node(g.label(stages::kFlightAcceleration), reads(inputs),
-                     writes(g.parts.flight_acceleration),
+                     writes(g.parts().flight_acceleration),
                      unless_halted(c.data.progress[0], [&c]() noexcept {
                        calc_flight_acceleration(c.system, c.data.progress[0].control.time, c.data);
                      }));

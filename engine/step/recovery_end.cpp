@@ -15,15 +15,16 @@ RecoveryAccess recovery_access(const Assembly<World>& g, int i, int j) {
   const BodyParts& body = own.bodies[j];
   PartList inputs{own.progress, body.coordinates};  // checked, and corrected by generalized_alpha
   PartList outputs{body.accelerations, body.report};
+  graph::add_to(outputs, graph::maybe(body.found));
   if (g.c.formulation == Formulation::augmented) {
-    inputs.push_back(g.parts.augmented_solution);
+    inputs.push_back(g.parts().augmented_solution);
   } else {
     inputs.push_back(own.wrenches);
     inputs.push_back(body.inverse);
     if (g.c.formulation == Formulation::structured)
-      inputs.insert(inputs.end(), body.tension.begin(), body.tension.end());
+      graph::add_to(inputs, graph::maybe(body.tension));
     if (const int r = find_hub(g, i, j); r >= 0 && g.c.formulation == Formulation::structured)
-      inputs.push_back(g.parts.rotors[static_cast<std::size_t>(r)].carried);
+      inputs.push_back(g.parts().rotors[static_cast<std::size_t>(r)].carried);
   }
   if constexpr (tree::kHasJointCoordinates<World>) {
     const TreeBody<World>& model = g.c.system.subsystems[i].bodies[j];
@@ -44,8 +45,8 @@ RecoveryAccess recovery_access(const Assembly<World>& g, int i, int j) {
     outputs.push_back(body.coordinates);
   }
   // A solid in one slice does all here.
-  inputs.insert(inputs.end(), body.halves.begin(), body.halves.end());
-  outputs.insert(outputs.end(), body.solution.begin(), body.solution.end());
+  graph::add_to(inputs, body.halves);
+  graph::add_to(outputs, body.solution);
   return {inputs, outputs};
 }
 

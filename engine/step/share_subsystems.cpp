@@ -16,25 +16,6 @@ namespace {
 
 using graph::bytes_of;
 
-/// Returns the memory of a subsystem that finish_system() sums.
-template <class World>
-MemoryPieces memory_of_reports(SubsystemData<World>& subsystem) {
-  MemoryPieces memory;
-  for (BodyData<World>& body : subsystem.bodies) {
-    memory.push_back(bytes_of(body.terms.load_power));
-    memory.push_back(bytes_of(body.terms.dissipation));
-    memory.push_back(bytes_of(body.report.change));
-    memory.push_back(bytes_of(body.report.step_change));
-    memory.push_back(bytes_of(body.report.deflection));
-    memory.push_back(bytes_of(body.report.error));
-    memory.push_back(bytes_of(body.report.failed));
-    if constexpr (tree::kHasJointCoordinates<World>)
-      memory.push_back(bytes_of(body.report.drive_power));
-  }
-  if (!subsystem.loops.is_empty()) memory.push_back(bytes_of(subsystem.loops.report));
-  return memory;
-}
-
 /// Adds the memory that the steps of the window leave of subsystem `i`, to be recorded and
 /// measured.
 template <class World>
@@ -93,7 +74,9 @@ void share_out(Exchange& exchange, SystemContext<World>& context) {
       return MemoryPieces{};
     return MemoryPieces{bytes_of(data.subsystems[i].effective)};
   };
-  const auto reports = [&data](std::size_t i) { return memory_of_reports(data.subsystems[i]); };
+  const auto reports = [&data](std::size_t i) {
+    return data.all_parts.marked(Mark::reported, static_cast<int>(i));
+  };
   const auto state = [&data](std::size_t i) { return state_of_subsystem(data, i); };
   context.sharing = std::make_unique<Sharing>(
       Sharing{exchange, first, SharedPlaces(exchange, by_rank(first, inertia)),

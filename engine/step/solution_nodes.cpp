@@ -42,15 +42,15 @@ PartList inverse_outputs(const Assembly<Space>& g, int i, int j) {
 /// Returns the parts that handing the hub's acceleration to the integrator reads.
 template <class World>
 PartList hub_inputs(const Assembly<World>& g) {
-  PartList inputs{g.parts.progress, g.parts.hub_state, g.parts.hub_coordinates};
-  if (corrects_hub(g)) inputs.push_back(g.parts.hub_history);
+  PartList inputs{g.parts().progress, g.parts().hub_state, g.parts().hub_coordinates};
+  if (corrects_hub(g)) inputs.push_back(g.parts().hub_history);
   return inputs;
 }
 /// Returns the parts that solving for the hub's acceleration writes.
 template <class World>
 PartList hub_outputs(const Assembly<World>& g) {
-  PartList outputs{g.parts.hub_solution};
-  if (!is_prescribed(g.c.system)) outputs.push_back(g.parts.hub_coordinates);
+  PartList outputs{g.parts().hub_solution};
+  if (!is_prescribed(g.c.system)) outputs.push_back(g.parts().hub_coordinates);
   return outputs;
 }
 
@@ -60,7 +60,7 @@ template <class World>
 PartList inner_ports(const Assembly<World>& g, int i) {
   const SubsystemParts& own = g.subsystem(i);
   if constexpr (tree::kHasJointCoordinates<World>) {
-    PartList ports = own.ports;
+    PartList ports = own.ports();
     for (const PartId terms : own.all(&BodyParts::terms)) ports.push_back(terms);
     return ports;
   } else {
@@ -110,14 +110,14 @@ void add_inverse(const Assembly<World>& g, int i, int j) {
   PartList outputs = inverse_outputs(g, i, j);
   if constexpr (tree::kHasJointCoordinates<World>)
     inputs.push_back(own.rotations);  // for its handles
-  inputs.insert(inputs.end(), parts.tension.begin(), parts.tension.end());
-  if (const int r = find_hub(g, i, j); r >= 0) inputs.push_back(g.parts.rotors[r].carried);
+  graph::add_to(inputs, graph::maybe(parts.tension));
+  if (const int r = find_hub(g, i, j); r >= 0) inputs.push_back(g.parts().rotors[r].carried);
   SubsystemData<World>& data = g.c.data.subsystems[i];
   // Of a solid in one slice all is done here.
   const bool is_by_slices = is_tiled(data.bodies[j]) && !parts.halves.empty();
   const PartList& solved = is_by_slices ? parts.halves : parts.tiles;
-  inputs.insert(inputs.end(), solved.begin(), solved.end());
-  if (!is_by_slices) outputs.insert(outputs.end(), parts.halves.begin(), parts.halves.end());
+  graph::add_to(inputs, solved);
+  if (!is_by_slices) graph::add_to(outputs, parts.halves);
   const auto add = [&](auto invert, auto& work) {
     g.builder.add_node(g.label(stages::kInverse, i, j), reads(inputs), writes(outputs),
                        unless_halted(*data.progress, [&data, j, invert, &work]() noexcept {
@@ -139,7 +139,7 @@ template <class World>
 void add_effective(const Assembly<World>& g, int i) {
   const SubsystemParts& own = g.subsystem(i);
   const auto inputs = reads(own.progress, own.all(&BodyParts::inverse), own.all(&BodyParts::terms),
-                            own.rotations, own.hub_state, own.ports);
+                            own.rotations, own.hub_state, own.ports());
   const Subsystem<World>& subsystem = g.c.system.subsystems[i];
   SubsystemData<World>& data = g.c.data.subsystems[i];
   const auto add = [&](auto condense, auto& work, const graph::Writes& outputs) {
@@ -152,7 +152,7 @@ void add_effective(const Assembly<World>& g, int i) {
   };
   if (g.c.formulation == Formulation::structured)
     return add(structured::calc_effective_inertia<World>, g.c.work.structured[i],
-               writes(own.effective, own.workspace, own.joints(), own.ports));
+               writes(own.effective, own.workspace, own.joints(), own.ports()));
   add(subsystem::calc_effective_inertia<World>, g.c.work.subsystem[i],
       writes(own.effective, own.workspace));
 }
@@ -162,16 +162,16 @@ void add_rotor_sum(const Assembly<World>& g, int r) {
   const auto index = static_cast<std::size_t>(r);
   SystemContext<World>& c = g.c;
   const bool is_condensed = c.formulation != Formulation::augmented;
-  PartList inputs{g.parts.progress, g.parts.rotors[index].hub};
-  for (std::size_t i = 0; i < g.parts.subsystems.size(); ++i) {
-    const SubsystemParts& own = g.parts.subsystems[i];
+  PartList inputs{g.parts().progress, g.parts().rotors[index].hub};
+  for (std::size_t i = 0; i < g.c.data.subsystems.size(); ++i) {
+    const SubsystemParts& own = g.c.data.subsystems[i].parts;
     if (c.system.subsystems[i].rotor != r) continue;
     if (is_condensed) inputs.push_back(own.effective);
     if (!is_condensed)
       for (const PartId terms : own.all(&BodyParts::terms)) inputs.push_back(terms);
   }
-  g.builder.add_node(g.label(stages::kRotorSum), reads(inputs, g.parts.rotors[index].carried),
-                     writes(g.parts.rotors[index].carried),
+  g.builder.add_node(g.label(stages::kRotorSum), reads(inputs, g.parts().rotors[index].carried),
+                     writes(g.parts().rotors[index].carried),
                      unless_halted(c.data.progress[0], [&c, index, is_condensed]() noexcept {
                        sum_rotor(c.system, index, is_condensed, c.data);
                      }));
@@ -181,8 +181,9 @@ template <class World>
 void add_hub_solve(const Assembly<World>& g) {
   SystemContext<World>& c = g.c;
   PartList effective;
-  for (std::size_t i = 0; i < g.parts.subsystems.size(); ++i)
-    if (c.system.subsystems[i].rotor < 0) effective.push_back(g.parts.subsystems[i].effective);
+  for (std::size_t i = 0; i < g.c.data.subsystems.size(); ++i)
+    if (c.system.subsystems[i].rotor < 0)
+      effective.push_back(g.c.data.subsystems[i].parts.effective);
   g.builder.add_node(g.label(c.system.rotors.empty() ? stages::kHubSolve : stages::kSupportSolve),
                      reads(effective, hub_inputs(g)), writes(hub_outputs(g)),
                      unless_halted(c.data.progress[0], [&c]() noexcept {
@@ -194,10 +195,10 @@ void add_hub_solve(const Assembly<World>& g) {
 template <class World>
 void add_prescribed_hub_solve(const Assembly<World>& g) {
   SystemContext<World>& c = g.c;
-  const StepParts& parts = g.parts;
+  const SystemParts& parts = g.parts();
   g.builder.add_node(
       {"hub solve"},
-      reads(parts.all(&SubsystemParts::progress), parts.all(&SubsystemParts::records),
+      reads(all_of(g, &SubsystemParts::progress), all_of(g, &SubsystemParts::records),
             parts.records, parts.hub_coordinates),
       writes(parts.records, parts.hub_coordinates),
       [&c]() noexcept { record_reactions(c.system, c.integrator, c.data); });
@@ -206,30 +207,31 @@ void add_prescribed_hub_solve(const Assembly<World>& g) {
 template <class World>
 void add_augmented_solve(const Assembly<World>& g) {
   SystemContext<World>& c = g.c;
-  const StepParts& parts = g.parts;
+  const SystemParts& parts = g.parts();
   PartList tiles;
-  for (const SubsystemParts& own : parts.subsystems)
-    for (const PartId tile : own.tiles()) tiles.push_back(tile);
+  for (const SubsystemData<World>& data : c.data.subsystems)
+    for (const PartId tile : data.parts.tiles()) tiles.push_back(tile);
   PartList outboard_joints;  // Jacobians depend on the deformation; inboard nodes stand fixed
   PartList tensions;
-  for (const SubsystemParts& own : parts.subsystems) {
+  for (const SubsystemData<World>& data : c.data.subsystems) {
+    const SubsystemParts& own = data.parts;
     for (std::size_t j = 0; j + 1 < own.bodies.size(); ++j)
       outboard_joints.push_back(own.bodies[j].coordinates);
-    for (const BodyParts& body : own.bodies)
-      tensions.insert(tensions.end(), body.tension.begin(), body.tension.end());
+    for (const BodyParts& body : own.bodies) graph::add_to(tensions, graph::maybe(body.tension));
   }
   PartList carried;
   for (const RotorParts& rotor : parts.rotors) carried.push_back(rotor.carried);
   PartList loops;  // their places may be on any body
-  for (const SubsystemParts& own : parts.subsystems) {
-    if (own.loops.is_empty) continue;
+  for (const SubsystemData<World>& data : c.data.subsystems) {
+    const SubsystemParts& own = data.parts;
+    if (own.loops.is_empty()) continue;
     loops.push_back(own.loops.motion);
     for (const BodyParts& body : own.bodies) loops.push_back(body.coordinates);
   }
   g.builder.add_node(g.label(stages::kSolve),
-                     reads(loops, carried, parts.all(&BodyParts::terms), tiles, outboard_joints,
-                           tensions, parts.all(&SubsystemParts::rotations),
-                           parts.all(&SubsystemParts::twists), hub_inputs(g)),
+                     reads(loops, carried, all_of(g, &BodyParts::terms), tiles, outboard_joints,
+                           tensions, all_of(g, &SubsystemParts::rotations),
+                           all_of(g, &SubsystemParts::twists), hub_inputs(g)),
                      writes(parts.augmented_solution, hub_outputs(g)),
                      unless_halted(c.data.progress[0], [&c]() noexcept {
                        augmented::solve(c.system, c.data, c.work.augmented);
@@ -245,9 +247,9 @@ void add_multipliers(const Assembly<World>& g, int i) {
   SubsystemData<World>& data = c.data.subsystems[i];
   const PartList accelerations = found_with_multipliers(g, i);
   PartList loops;
-  if (!own.loops.is_empty) loops = {own.loops.motion, own.loops.factor};
+  if (!own.loops.is_empty()) loops = {own.loops.motion, own.loops.factor};
   const auto add = [&](const graph::Reads& inputs, auto recover) {
-    const bool has_loops = !own.loops.is_empty;
+    const bool has_loops = !own.loops.is_empty();
     g.builder.add_node(
         g.label(stages::kMultipliers, i), inputs, writes(own.wrenches, accelerations),
         unless_halted(*data.progress, [recover, has_loops, &subsystem, &data]() noexcept {
@@ -270,7 +272,7 @@ void add_multipliers(const Assembly<World>& g, int i) {
                  });
     case Formulation::augmented:
       return add(
-          reads(own.progress, g.parts.augmented_solution, own.rotations, accelerations, loops),
+          reads(own.progress, g.parts().augmented_solution, own.rotations, accelerations, loops),
           [i, &subsystem, &data, &work = c.work.augmented]() noexcept {
             augmented::recover_wrenches(i, subsystem, work, data);
           });

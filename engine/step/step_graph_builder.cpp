@@ -77,12 +77,12 @@ PartList terms_inputs(const Assembly<World>& g, int i, int j) {
     if (tree::kHasJointCoordinates<World> ||
         !has_nonlinear_strain(g.c.data.subsystems[i].bodies[j]))
       inputs.push_back(own.bodies[j].history);
-    if (has_coordinates(member) || !own.bodies[j].tension.empty())
+    if (has_coordinates(member) || own.bodies[j].tension.index >= 0)
       inputs.push_back(own.bodies[j].accelerations);
   }
   if (!member.modal.is_empty()) inputs.push_back(own.modal_forces);
   const PartList loads = loads_on(g, i, j);
-  inputs.insert(inputs.end(), loads.begin(), loads.end());
+  graph::add_to(inputs, loads);
   const SubsystemData<World>& data = g.c.data.subsystems[i];
   const bool flies = data.flight_acceleration && member.stiffening;
   const bool has_rising_gravity = g.c.system.gravity_ramp > 0.0;
@@ -95,9 +95,9 @@ PartList terms_inputs(const Assembly<World>& g, int i, int j) {
   // The tension may stand on either side of the equations.
   bool needs_hub = has_rising_gravity || static_cast<bool>(member.stiffening);
   if (const int r = find_hub(g, i, j); r >= 0)
-    inputs.push_back(g.parts.rotors[static_cast<std::size_t>(r)].carried);
+    inputs.push_back(g.parts().rotors[static_cast<std::size_t>(r)].carried);
   if (has_slide(member)) inputs.push_back(own.applied_forces);
-  if (flies) inputs.push_back(g.parts.flight_acceleration);
+  if (flies) inputs.push_back(g.parts().flight_acceleration);
   for (const BodyLoad<World>& load : member.loads) {
     using Frame = decltype(load.frame);
     needs_rotations |= load.frame == Frame::hub || load.frame == Frame::inertial;
@@ -146,13 +146,13 @@ void add_mass(const Assembly<World>& g, int i, int j) {
   const SystemContext<World>& c = g.c;
   SubsystemData<World>& data = g.c.data.subsystems[i];
   const BodyParts& parts = g.subsystem(i).bodies[j];
-  PartList outputs{parts.terms};
+  PartList outputs{parts.terms, parts.power};
   PartList inputs = terms_inputs(g, i, j);
   add_mass_tiles(g, i, j, inputs);
   // Loads add to the rows of tiles.
-  if (is_tiled(data.bodies[j])) inputs.insert(inputs.end(), parts.tiles.begin(), parts.tiles.end());
-  outputs.insert(outputs.end(), parts.tiles.begin(), parts.tiles.end());
-  for (const PartId tension : parts.tension) {
+  if (is_tiled(data.bodies[j])) graph::add_to(inputs, parts.tiles);
+  graph::add_to(outputs, parts.tiles);
+  for (const PartId tension : graph::maybe(parts.tension)) {
     inputs.push_back(tension);  // it stays while the speed does
     outputs.push_back(tension);
     if constexpr (tree::kHasJointCoordinates<World>)
@@ -179,7 +179,7 @@ void add_mass(const Assembly<World>& g, int i, int j) {
 template <class World>
 void add_share(const Assembly<World>& g, const char* stage, const PartList& parts,
                SharedPlaces& places, const PartList& behind = {}) {
-  g.builder.add_node(g.label(stage), reads(g.parts.progress, parts, behind), writes(parts),
+  g.builder.add_node(g.label(stage), reads(g.parts().progress, parts, behind), writes(parts),
                      unless_halted(g.c.data.progress[0], [&places]() noexcept { places.share(); }));
 }
 
@@ -250,18 +250,18 @@ void add_coupled_pass(const Assembly<World>& g, const Extent& own) {
   for_each(add_applied_forces<World>);
   if (own.sharing && own.sharing->forces) {
     PartList forces;
-    for (std::size_t i = 0; i < g.parts.subsystems.size(); ++i)
+    for (std::size_t i = 0; i < g.c.data.subsystems.size(); ++i)
       if (!g.c.data.subsystems[i].applied_forces.empty())
-        forces.push_back(g.parts.subsystems[i].applied_forces);
+        forces.push_back(g.c.data.subsystems[i].parts.applied_forces);
     add_share(g, stages::kShareForces, forces, *own.sharing->forces);
   }
   add_flight_acceleration(g);
   for_others(add_condensation<World>);
   if (own.sharing) {
     const PartList behind =
-        own.sharing->forces ? PartList{g.parts.flight_acceleration} : PartList{};
+        own.sharing->forces ? PartList{g.parts().flight_acceleration} : PartList{};
     PartList inertias;
-    for (int i = 0; std::cmp_less(i, g.parts.subsystems.size()); ++i)
+    for (int i = 0; std::cmp_less(i, g.c.data.subsystems.size()); ++i)
       if (find_supported(g, i) < 0) inertias.push_back(g.subsystem(i).effective);
     add_share(g, stages::kShareInertias, inertias, own.sharing->inertias, behind);
   }
@@ -274,8 +274,8 @@ void add_coupled_pass(const Assembly<World>& g, const Extent& own) {
   for_supports(add_recoveries<World>);
   for_others(add_recoveries<World>);
   if (own.sharing) {
-    PartList reports = g.parts.all(&BodyParts::report);
-    for (const PartId terms : g.parts.all(&BodyParts::terms)) reports.push_back(terms);
+    PartList reports = all_of(g, &BodyParts::report);
+    graph::add_to(reports, all_of(g, &BodyParts::power));
     add_share(g, stages::kShareReports, reports, own.sharing->reports);
   }
   add_finish(g);
@@ -300,8 +300,8 @@ graph::StepGraph build(SystemContext<World>& c, int passes, const Extent& own) {
   assert(passes >= 1 && own.first >= 0 && own.first <= own.last);
   assert(std::cmp_less_equal(own.last, c.data.subsystems.size()));
   StepGraphBuilder builder("blade");
-  const StepParts parts = add_parts(c, builder);
-  Assembly<World> g{c, parts, builder, passes > 1 ? 0 : -1};
+  c.data.all_parts.share_with(builder);
+  const Assembly<World> g{c, builder, passes > 1 ? 0 : -1};
   if (c.data.is_coupled)
     add_coupled_pass(g, own);
   else

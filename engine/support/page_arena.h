@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <new>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -37,11 +38,18 @@ class Arena {
       left_ = rounded(std::max(bytes, kChunk), kPage);
       const std::align_val_t alignment{left_ < kHuge ? kPage : kHuge};
       next_ = static_cast<std::byte*>(::operator new(left_, alignment));
-      chunks_.push_back({next_, alignment});
+      chunks_.push_back({next_, left_, alignment});
       ask_for_huge_pages();
     }
     left_ -= bytes;
     return std::exchange(next_, next_ + bytes);
+  }
+
+  /// Returns all of its memory, handed out or not.
+  std::vector<std::span<std::byte>> memory() const {
+    std::vector<std::span<std::byte>> all;
+    for (const Chunk& chunk : chunks_) all.emplace_back(chunk.memory, chunk.size);
+    return all;
   }
 
  private:
@@ -49,6 +57,7 @@ class Arena {
 
   struct Chunk {
     std::byte* memory;
+    std::size_t size;
     std::align_val_t alignment;
   };
 

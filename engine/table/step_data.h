@@ -10,11 +10,14 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "engine/table/body_data.h"
 #include "engine/table/control_data.h"
 #include "engine/table/loop_data.h"
+#include "engine/table/part_handles.h"
+#include "engine/table/parts.h"
 #include "engine/table/reading.h"
 #include "engine/table/step_table.h"
 
@@ -172,7 +175,17 @@ struct alignas(kInterferenceSize) SubsystemData {
   std::vector<Reading<World>> readings;
   std::size_t reading_count = 0;     ///< values that the readings take
   ArenaVector<double> reading_ring;  ///< by step, reading_count each
+
+  PartMaker part_maker;  ///< declares its parts
+  SubsystemParts parts;
 };
+
+/// Returns what declares the parts of body j: "blade 1 / body 2 / terms".
+template <class World>
+PartMaker maker_of_body(std::size_t j, const SubsystemData<World>& data) {
+  assert(j < data.bodies.size());
+  return data.part_maker.of("body " + std::to_string(j + 1));
+}
 
 /// Returns the values of the readings of a step in the ring.
 template <class World>
@@ -184,6 +197,15 @@ double* readings_of(SubsystemData<World>& data, std::int64_t step) {
 template <class World>
 const double* readings_of(const SubsystemData<World>& data, std::int64_t step) {
   return readings_of(const_cast<SubsystemData<World>&>(data), step);
+}
+
+/// Allocates the ring of the readings; their number must be known.
+template <class World>
+void place_reading_ring(SubsystemData<World>& data) {
+  data.reading_ring =
+      ArenaVector<double>(data.reading_count * data.samples.size(), 0.0, *data.arena);
+  if (data.reading_count > 0)
+    data.parts.readings = data.part_maker.ring("readings", data.reading_ring, data.reading_count);
 }
 
 template <class World>
@@ -208,6 +230,8 @@ class StepData final : public StepTable {
   /// Acceleration that the applied forces give the mass centre of a hub that flies, hub frame
   /// [m/s^2].
   PositionOf<World> flight_acceleration = PositionOf<World>::Zero();
+  Parts all_parts;    ///< of this table, in the order of their handles
+  SystemParts parts;  ///< those of the system
 
   std::size_t ring_size() const override { return records.size(); }
   std::int64_t passes_of(std::size_t index, std::int64_t step) const override;
@@ -229,7 +253,9 @@ class StepData final : public StepTable {
 
 /// Options, besides the system, on which the table's size depends.
 struct TableOptions {
-  int history = 0;          ///< flex vectors per body that the integrator keeps
+  int history = 0;  ///< flex vectors per body that the integrator keeps
+  /// Whether accelerations that a pass finds take the place of the integrator's at once.
+  bool is_explicit = false;
   bool is_coupled = false;  ///< see StepData
   int window_steps = 1;     ///< steps between the first without a record and the last begun
   /// Deflections by the length of their body up to which linear elasticity holds.

@@ -3,6 +3,7 @@
 
 #include <cassert>
 
+#include "engine/formulation/loops.h"
 #include "engine/formulation/subsystem.h"
 #include "engine/formulation/tree_joints.h"
 #include "engine/kernels/dense_body.h"
@@ -10,8 +11,42 @@
 
 namespace spoke::subsystem {
 
+namespace {
+
+template <class Matrix>
+std::span<std::byte> bytes(Matrix& matrix) {
+  return memory_of(matrix.data(), static_cast<std::size_t>(matrix.size()));
+}
+
+/// Declares the parts of bodies, of the synthesis for the whole subsystem, and of loops.
 template <class World>
-void allocate(const SubsystemData<World>& data, const std::vector<DenseBlocks>& elastic,
+void declare_parts(SubsystemData<World>& data, SubsystemWork<World>& work) {
+  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
+    const PartMaker maker = maker_of_body(j, data);
+    BodyWork<World>& body = work.bodies[j];
+    BodyParts& parts = data.parts.bodies[j];
+    parts.inverse = maker.cover("inverse", Mark::none, bytes(body.inverse_columns),
+                                bytes(body.products), bytes(body.biases));
+    parts.workspace = maker.cover("workspace", Mark::none, bytes(body.mass), bytes(body.jacobians));
+  }
+  const PartMaker& maker = data.part_maker;
+  SubsystemParts& parts = data.parts;
+  parts.effective = maker.cover("effective inertia", Mark::none, data.effective,
+                                bytes(work.solution), bytes(work.response));
+  parts.workspace = maker.cover("workspace", Mark::none, bytes(work.D), bytes(work.columns),
+                                bytes(work.inverse_columns), bytes(work.inertia));
+  for (std::size_t k = 0; k < work.loops.size(); ++k) {
+    auto& loop = work.loops[k];
+    maker.add(declare_loop_rows(k, data), bytes(loop.right), bytes(loop.solution),
+              bytes(loop.response));
+  }
+  declare_loop_matrix(data);
+}
+
+}  // namespace
+
+template <class World>
+void allocate(const std::vector<DenseBlocks>& elastic, SubsystemData<World>& data,
               SubsystemWork<World>& work) {
   assert(elastic.size() == data.bodies.size());
   constexpr int d = World::kTwist;
@@ -46,6 +81,7 @@ void allocate(const SubsystemData<World>& data, const std::vector<DenseBlocks>& 
     columns.solution.setZero(C1, path.rows);
     columns.response.setZero(coordinates, path.rows);
   }
+  declare_parts(data, work);
 }
 
 template <class World>
@@ -72,10 +108,10 @@ void invert_body(const BodyData<World>& data, const TwistOf<World>& twist, bool 
   work.products.noalias() = J.lazyProduct(columns);
 }
 
-template void allocate(const SubsystemData<Plane>&, const std::vector<DenseBlocks>&,
+template void allocate(const std::vector<DenseBlocks>&, SubsystemData<Plane>&,
                        SubsystemWork<Plane>&);
 template void invert_body(const BodyData<Plane>&, const Twist&, bool, BodyWork<Plane>&) noexcept;
-template void allocate(const SubsystemData<Space>&, const std::vector<DenseBlocks>&,
+template void allocate(const std::vector<DenseBlocks>&, SubsystemData<Space>&,
                        SubsystemWork<Space>&);
 template void invert_body(const BodyData<Space>&, const space::Twist&, bool,
                           BodyWork<Space>&) noexcept;

@@ -5,6 +5,7 @@
 
 #include "engine/formulation/subsystem.h"
 #include "engine/formulation/tree_joints.h"
+#include "engine/kernels/dense_body.h"
 
 namespace spoke::subsystem {
 

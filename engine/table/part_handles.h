@@ -1,29 +1,30 @@
 #pragma once
 
-// The parts of the table, by the names that nodes declare.
+// Handles of the table's parts, by which nodes declare what they read and write. One that a model
+// has no part for is invalid, and names none (graph::maybe).
 
 #include <vector>
 
-#include "engine/step/step_context.h"
-#include "graph/step_graph.h"
+#include "graph/access.h"
 
 namespace spoke {
 
-/// Handles of the table's parts (see step_data.h), by which the step graph's nodes declare what
-/// they read and write.
+/// Parts of a body.
 struct BodyParts {
   bool is_root = false;         ///< whether the hub carries it
   graph::PartId coordinates;    ///< q, v
   graph::PartId history;        ///< the integrator's vectors
   graph::PartId accelerations;  ///< a, X
+  graph::PartId found;          ///< accelerations that a recovery finds, if apart from a
   graph::PartId terms;          ///< with c_theta and Q_f
+  graph::PartId power;          ///< power of loads and damping
   graph::PartId inverse;        ///< two-port, or dense inverse columns
   graph::PartId workspace;      ///< workspace of the inverse
   graph::PartId scratch;  ///< workspace of the kernels of its terms and of its recovery (space)
   graph::PartId joint;    ///< elimination of the inboard joint (structured, not at the hub)
   graph::PartId port;     ///< multi-port, which the effective inertia changes (structured, space)
   graph::PartId report;
-  std::vector<graph::PartId> tension;  ///< tension in implicit steps, if the body has any (space)
+  graph::PartId tension;  ///< tension in implicit steps, if the body has any
   // Of a solid in nodal coordinates, by slice: rows and sums of its terms; half solutions and
   // accelerations (structured). Of these the last part is what is between slices.
   std::vector<graph::PartId> tiles, halves, solution;
@@ -35,10 +36,13 @@ struct LoopParts {
   std::vector<graph::PartId> columns;  ///< by loop: what its unit forces do
   std::vector<graph::PartId> scratch;  ///< by loop: workspace
   graph::PartId factor;                ///< D, and the multipliers
+  graph::PartId first_pivots;          ///< pivots of D at the start; not if augmented
   graph::PartId report;
-  bool is_empty = true;
+
+  bool is_empty() const { return motion.index < 0; }
 };
 
+/// Parts of a subsystem.
 struct SubsystemParts {
   std::vector<BodyParts> bodies;
   graph::PartId rotations, twists, poses, effective, wrenches, samples;
@@ -50,7 +54,6 @@ struct SubsystemParts {
   graph::PartId progress, hub_state, hub_acceleration;  ///< own ones, or the system's if coupled
   graph::PartId records;                                ///< if not coupled
   graph::PartId workspace;                              ///< workspace of the effective inertia
-  std::vector<graph::PartId> ports;                     ///< ports of the bodies (structured, space)
   std::vector<graph::PartId> loads;                     ///< wrenches of the user's loads
   graph::PartId air;                                    ///< wrenches of air
   graph::PartId air_reached;                            ///< its states at the evaluated time
@@ -63,6 +66,8 @@ struct SubsystemParts {
   std::vector<graph::PartId> tiles() const;
   /// Returns the parts of the joints between the bodies.
   std::vector<graph::PartId> joints() const;
+  /// Returns the multi-ports of the bodies, if they have any.
+  std::vector<graph::PartId> ports() const;
 };
 
 /// Parts of a rotor on a support.
@@ -71,22 +76,13 @@ struct RotorParts {
   graph::PartId carried;  ///< what its subsystems add to the hub
 };
 
-struct StepParts {
-  std::vector<SubsystemParts> subsystems;
+/// Parts of the system.
+struct SystemParts {
   std::vector<RotorParts> rotors;
   graph::PartId hub_coordinates, hub_history, records;
   graph::PartId progress, hub_state, hub_solution;  ///< if coupled
   graph::PartId flight_acceleration;                ///< if coupled
   graph::PartId augmented_solution;
-
-  /// Returns one member of all bodies of all subsystems.
-  std::vector<graph::PartId> all(graph::PartId BodyParts::*member) const;
-  /// Returns one member of all subsystems.
-  std::vector<graph::PartId> all(graph::PartId SubsystemParts::*member) const;
 };
-
-/// Adds the context's table to the builder.
-template <class World>
-StepParts add_parts(SystemContext<World>& context, graph::StepGraphBuilder& builder);
 
 }  // namespace spoke

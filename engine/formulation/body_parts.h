@@ -1,0 +1,28 @@
+#pragma once
+
+// Declares the parts of a body (engine/table/parts.h) that a method and a formulation add to those
+// of the table, as their memory is placed. Each world declares its own: engine/plane and
+// engine/space, body_parts.cpp.
+
+#include <cstddef>
+
+#include "engine/formulation/structured.h"
+#include "engine/table/step_data.h"
+
+namespace spoke {
+
+/// Declare the tension that implicit steps have of body j, if it has any.
+void declare_tension(std::size_t j, SubsystemData<Plane>& data);
+void declare_tension(std::size_t j, SubsystemData<Space>& data);
+
+/// Declare the tiles of a solid in nodal coordinates, and what of its terms lies between them.
+inline void declare_tiles(std::size_t, SubsystemData<Plane>&) {}
+void declare_tiles(std::size_t j, SubsystemData<Space>& data);
+
+/// Declare the memory of the formulation `structured` for body j besides the elimination of its
+/// joint: its response, the workspace of that, its multi-port if that is no part of the response,
+/// and the slices of a solid.
+void declare_inverse(std::size_t j, structured::BodyWork<Plane>& work, SubsystemData<Plane>& data);
+void declare_inverse(std::size_t j, structured::BodyWork<Space>& work, SubsystemData<Space>& data);
+
+}  // namespace spoke
