@@ -165,7 +165,7 @@ HubLoad read_hub_load(const TomlSection& section) {
 
 std::string read_load_name(const TomlSection& section) {
   if (!section.has("name")) return {};
-  const std::string name = section.text("name", "");
+  std::string name = section.text("name", "");
   if (!is_name(name)) section.fail_expected("name", kNameExpected);
   if (const std::string fault = find_load_name_fault(name); !fault.empty())
     section.fail("name", fault);

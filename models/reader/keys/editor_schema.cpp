@@ -61,7 +61,7 @@ std::vector<Json> forms_of(const Row& row, std::string_view parent) {
       !row.table_id.empty()
           ? std::string(row.table_id)
           : std::string(parent) + (parent.empty() ? "" : ".") + std::string(row.key);
-  const Json table = {{"$ref", reference_to(child)}};
+  Json table = {{"$ref", reference_to(child)}};
   std::vector<Json> forms;
   const auto add = [&](Forms form, const auto& make) {
     if ((row.forms & form) != 0) forms.push_back(make());

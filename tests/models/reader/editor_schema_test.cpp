@@ -80,13 +80,12 @@ class Validator {
     for (const auto& [key, member] : value.items()) {
       const std::string place = path + '.' + key;
       if (schema.contains("properties") && schema["properties"].contains(key)) {
-        if (const std::string fault = find_fault(member, schema["properties"][key], place);
+        if (std::string fault = find_fault(member, schema["properties"][key], place);
             !fault.empty())
           return fault;
       } else if (!schema["additionalProperties"].is_object()) {
         return place + " is unknown";
-      } else if (const std::string fault =
-                     find_fault(member, schema["additionalProperties"], place);
+      } else if (std::string fault = find_fault(member, schema["additionalProperties"], place);
                  !fault.empty()) {
         return fault;
       }
@@ -100,8 +99,7 @@ class Validator {
         value.size() > schema.value("maxItems", value.size()))
       return path + " has a wrong size";
     for (const json& element : value)
-      if (const std::string fault = find_fault(element, schema["items"], path + "[]");
-          !fault.empty())
+      if (std::string fault = find_fault(element, schema["items"], path + "[]"); !fault.empty())
         return fault;
     return {};
   }
@@ -112,7 +110,7 @@ class Validator {
     if (schema.contains("anyOf")) {
       std::string first;
       for (const json& form : schema["anyOf"]) {
-        const std::string fault = find_fault(value, form, path);
+        std::string fault = find_fault(value, form, path);
         if (fault.empty()) return {};
         if (first.empty()) first = fault;
       }
