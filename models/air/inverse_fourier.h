@@ -15,8 +15,10 @@ namespace spoke::air {
 /// first four plus i times those of the last four; after it, at t the values of all eight.
 struct EightSeries {
   static constexpr std::size_t kCount = 8;
-  /// Real parts or the first four values; imaginary parts or the last four.
-  struct Place {
+  /// Real parts or the first four values; imaginary parts or the last four. Where not all
+  /// processors have vectors of four, GCC gives memory the alignment of two, and kernels take it to
+  /// be of four.
+  struct alignas(sizeof(Double4)) Place {
     Double4 first, last;
   };
 

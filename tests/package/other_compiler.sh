@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds the program `spoke` by another compiler, not optimised, which is quicker: it ends in the state of
 # PROGRAM, to the last bit. Of the rest of the engine and its commands that compiler checks the sources and
-# makes no code.
+# makes no code. Its kernels for wide instructions find vectors in memory where they expect them.
 #   other_compiler.sh SOURCE WORK CMAKE COMPILER PROGRAM
 set -euo pipefail
 source=$1 work=$2 cmake=$3 compiler=$4 program=$5
@@ -20,6 +20,11 @@ hash_of() {
 own=$(hash_of "$program" own)
 other=$(hash_of "$work/build/program/cli/spoke" other)
 [ "$own" = "$other" ] || { printf 'states differ:\n%s\n%s\n' "$own" "$other"; exit 1; }
+
+"$compiler" -std=c++20 -O1 -Wno-psabi -DDOCTEST_CONFIG_IMPLEMENT_WITH_MAIN -I"$source" -I"$source/package/include" \
+  "$source"/{tests/models/air/inverse_fourier_test,models/air/inverse_fourier,models/support/instructions}.cpp \
+  -o "$work/inverse_fourier_test"
+"$work/inverse_fourier_test"
 
 cd "$work/build"
 ninja -t commands spoke-whole | grep ' -c ' | grep -E '/(spoke_analysis|spoke_solids|spoke_steady_report|spoke-whole)\.dir/' |

@@ -23,5 +23,10 @@ for model in wu_haug_rotor nrel_5mw_rotor; do
   packaged=$(hash_of "$prefix/bin/spoke" "$model")
   [ "$own" = "$packaged" ] || { printf '%s: states differ:\n%s\n%s\n' "$model" "$own" "$packaged"; exit 1; }
 done
+# With all instructions that this processor has, each of the shipped models.
+for model in "$prefix"/share/spoke/models/*.toml; do
+  "$prefix/bin/spoke" run "$model" --set integration.duration=0.02 --no-report --quiet --out "$work/results" ||
+    { echo "$model fails"; exit 1; }
+done
 du -shc "$prefix"/{bin,include,lib,share}
 ls -l "$work"/debian/packages/*.deb
