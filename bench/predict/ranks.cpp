@@ -12,7 +12,7 @@ namespace spoke::predict {
 namespace {
 
 /// Whether a pass ends with the node: that of a subsystem, or of all subsystems together.
-bool is_finish(const graph::Node& node) { return node.label.stage == stages::kFinish; }
+bool is_finish(const graph::Node& node) { return node.label.stage == stages::kFinish.name; }
 
 }  // namespace
 

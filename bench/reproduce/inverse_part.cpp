@@ -54,7 +54,7 @@ struct InversePart::Impl {
   Impl(const Scenario& scenario, const SimulationOptions& options)
       : context(make_context(scenario, options.formulation)),
         whole(build_step_graph(*context)),
-        part(extract(whole, stages::kInverse)),
+        part(extract(whole, stages::kInverse.name)),
         executor(graph::make_executor(part, options.executor, options.threads)) {
     TimeStepper(*context, whole).start();
     resume_all(*context);
@@ -94,7 +94,7 @@ double measure_inverse_share(const Scenario& scenario, Formulation formulation) 
   for (int k = 0; k < whole.node_count(); ++k) {
     const double cost = seconds[static_cast<std::size_t>(k)];
     all += cost;
-    if (whole.node({k}).label.stage == stages::kInverse) inverse += cost;
+    if (whole.node({k}).label.stage == stages::kInverse.name) inverse += cost;
   }
   return inverse / all;
 }

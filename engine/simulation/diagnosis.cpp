@@ -28,11 +28,15 @@ SiteNames name_site(const SystemContext<World>& context,
   if (!site.is_known()) {
     const bool is_hub = outcome == StepOutcome::left_limits;
     const bool has_one_solve = context.formulation == Formulation::augmented;
-    return {"", "", !is_hub ? stages::kFinish : has_one_solve ? stages::kSolve : stages::kHubSolve};
+    return {"", "",
+            (!is_hub         ? stages::kFinish
+             : has_one_solve ? stages::kSolve
+                             : stages::kHubSolve)
+                .name};
   }
   const SubsystemNames& subsystem = subsystems[static_cast<std::size_t>(site.subsystem)];
   SiteNames names{subsystem.name, subsystem.bodies[static_cast<std::size_t>(site.body)], ""};
-  const bool is_of_subsystem = std::string_view(site.stage) == stages::kSensors;
+  const bool is_of_subsystem = std::string_view(site.stage) == stages::kSensors.name;
   names.node = (is_of_subsystem ? names.subsystem : names.whole()) + " / " + site.stage;
   return names;
 }

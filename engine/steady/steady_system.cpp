@@ -35,21 +35,6 @@ namespace {
 /// A time at which all ramps are over.
 constexpr double kLate = std::numeric_limits<double>::max();
 
-/// Whether nodes of this stage lead to the terms of bodies.
-bool makes_terms(const std::string& stage) {
-  return stage == stages::kPosition || stage == stages::kVelocity || stage == stages::kLoad ||
-         stage == stages::kAir || stage == stages::kAppliedForces || stage == stages::kMassTile ||
-         stage == stages::kMass;
-}
-/// Whether nodes of this stage lead from the terms to the accelerations.
-bool solves(const std::string& stage) {
-  return stage == stages::kInverse || stage == stages::kEffective ||
-         stage == stages::kMultipliers || stage == stages::kRecovery || stage == stages::kForward ||
-         stage == stages::kBackward || stage == stages::kCompletion ||
-         stage == stages::kLoopMotion || stage == stages::kLoopColumns ||
-         stage == stages::kLoopFactor || stage == stages::kLoopForces;
-}
-
 /// Returns the undeformed frame of the body on the hub from which another one hangs.
 plane::Rotation root_rotation(const Subsystem<Plane>& subsystem, int) { return subsystem.root.R; }
 space::Rotation root_rotation(const Subsystem<Space>& subsystem, int body) {
@@ -151,8 +136,9 @@ void SteadySystem<World>::find_nodes() {
     const graph::NodeLabel& label = graph_->node(node).label;
     if (label.subsystem < 0) continue;
     const auto subsystem = static_cast<std::size_t>(label.subsystem);
-    if (makes_terms(label.stage)) terms_[subsystem].push_back(node);
-    if (solves(label.stage)) solution_[subsystem].push_back(node);
+    const StageRole role = stages::role_of(label.stage);
+    if (role == StageRole::terms) terms_[subsystem].push_back(node);
+    if (role == StageRole::solution) solution_[subsystem].push_back(node);
   }
   for (std::size_t subsystem = 0; subsystem < subsystems(); ++subsystem)
     assert(!terms_[subsystem].empty() && !solution_[subsystem].empty());

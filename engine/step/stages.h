@@ -1,47 +1,120 @@
 #pragma once
 
-// Names of the stages of a step, those of its graph's nodes, as traces, messages and predictions
-// call them.
+// The stages of a step, those of its graph's nodes: the names by which traces, messages and
+// predictions call them, and their roles.
+
+#include <array>
+#include <cassert>
+#include <string_view>
+
+namespace spoke {
+
+/// What nodes of a stage do in a pass. Evaluations of subsystems alone (engine/steady) choose nodes
+/// by it.
+enum class StageRole {
+  given,     ///< set what a state is evaluated at: controls, motion of the hub, coordinates
+  terms,     ///< lead to the terms of bodies: their motion, and what acts on them
+  solution,  ///< lead from the terms to the accelerations
+  system     ///< are of the hub and all subsystems, or end the pass
+};
+
+struct Stage {
+  const char* name;
+  StageRole role;
+
+  constexpr operator const char*() const { return name; }
+};
+
+}  // namespace spoke
 
 namespace spoke::stages {
 
-inline constexpr const char* kControl = "control";
-inline constexpr const char* kHubMotion = "hub motion";
-inline constexpr const char* kCoordinates = "coordinates";
-inline constexpr const char* kPosition = "position";
-inline constexpr const char* kVelocity = "velocity";
-inline constexpr const char* kLoad = "load";  ///< the user's loads
-inline constexpr const char* kAir = "air";
-inline constexpr const char* kAppliedForces = "applied forces";
-inline constexpr const char* kFlightAcceleration = "flight acceleration";
-inline constexpr const char* kMass = "mass";
-inline constexpr const char* kInverse = "inverse";
-inline constexpr const char* kEffective = "effective";
-inline constexpr const char* kLoopMotion = "loop motion";  ///< stages of closed loops
-inline constexpr const char* kLoopColumns = "loop columns";
-inline constexpr const char* kLoopFactor = "loop factor";
-inline constexpr const char* kLoopForces = "loop forces";
-inline constexpr const char* kHubSolve = "hub solve";
+inline constexpr Stage kControl{"control", StageRole::given};
+inline constexpr Stage kHubMotion{"hub motion", StageRole::given};
+inline constexpr Stage kCoordinates{"coordinates", StageRole::given};
+inline constexpr Stage kPosition{"position", StageRole::terms};
+inline constexpr Stage kVelocity{"velocity", StageRole::terms};
+inline constexpr Stage kLoad{"load", StageRole::terms};  ///< the user's loads
+inline constexpr Stage kAir{"air", StageRole::terms};
+inline constexpr Stage kAppliedForces{"applied forces", StageRole::terms};
+inline constexpr Stage kFlightAcceleration{"flight acceleration", StageRole::system};
+inline constexpr Stage kMass{"mass", StageRole::terms};
+inline constexpr Stage kInverse{"inverse", StageRole::solution};
+inline constexpr Stage kEffective{"effective", StageRole::solution};
+inline constexpr Stage kLoopMotion{"loop motion", StageRole::solution};  ///< stages of closed loops
+inline constexpr Stage kLoopColumns{"loop columns", StageRole::solution};
+inline constexpr Stage kLoopFactor{"loop factor", StageRole::solution};
+inline constexpr Stage kLoopForces{"loop forces", StageRole::solution};
+inline constexpr Stage kHubSolve{"hub solve", StageRole::system};
 // Stages of a support, in place of hub motion, effective, hub solve and recovery; and the sum of
 // what the rotor's subsystems add to its hub.
-inline constexpr const char* kSupportMotion = "support motion";
-inline constexpr const char* kRotorSum = "rotor sum";
-inline constexpr const char* kSupportEffective = "support effective";
-inline constexpr const char* kSupportSolve = "support solve";
-inline constexpr const char* kSupportRecovery = "support recovery";
-inline constexpr const char* kSolve = "solve";  ///< of the augmented formulation
-inline constexpr const char* kMultipliers = "multipliers";
-inline constexpr const char* kRecovery = "recovery";
-inline constexpr const char* kFinish = "finish";
-inline constexpr const char* kSensors = "sensors";
+inline constexpr Stage kSupportMotion{"support motion", StageRole::system};
+inline constexpr Stage kRotorSum{"rotor sum", StageRole::system};
+inline constexpr Stage kSupportEffective{"support effective", StageRole::system};
+inline constexpr Stage kSupportSolve{"support solve", StageRole::system};
+inline constexpr Stage kSupportRecovery{"support recovery", StageRole::system};
+inline constexpr Stage kSolve{"solve", StageRole::system};  ///< of the augmented formulation
+inline constexpr Stage kMultipliers{"multipliers", StageRole::solution};
+inline constexpr Stage kRecovery{"recovery", StageRole::solution};
+inline constexpr Stage kFinish{"finish", StageRole::system};
+inline constexpr Stage kSensors{"sensors", StageRole::system};
 // Stages of the slices of a large solid, and the last of such a body.
-inline constexpr const char* kMassTile = "mass tile";
-inline constexpr const char* kForward = "forward";
-inline constexpr const char* kBackward = "backward";
-inline constexpr const char* kCompletion = "completion";
+inline constexpr Stage kMassTile{"mass tile", StageRole::terms};
+inline constexpr Stage kForward{"forward", StageRole::solution};
+inline constexpr Stage kBackward{"backward", StageRole::solution};
+inline constexpr Stage kCompletion{"completion", StageRole::solution};
 // Stages where subsystems are shared out over processes.
-inline constexpr const char* kShareForces = "share forces";
-inline constexpr const char* kShareInertias = "share inertias";
-inline constexpr const char* kShareReports = "share reports";
+inline constexpr Stage kShareForces{"share forces", StageRole::system};
+inline constexpr Stage kShareInertias{"share inertias", StageRole::system};
+inline constexpr Stage kShareReports{"share reports", StageRole::system};
+
+inline constexpr std::array kAll{kControl,
+                                 kHubMotion,
+                                 kCoordinates,
+                                 kPosition,
+                                 kVelocity,
+                                 kLoad,
+                                 kAir,
+                                 kAppliedForces,
+                                 kFlightAcceleration,
+                                 kMass,
+                                 kInverse,
+                                 kEffective,
+                                 kLoopMotion,
+                                 kLoopColumns,
+                                 kLoopFactor,
+                                 kLoopForces,
+                                 kHubSolve,
+                                 kSupportMotion,
+                                 kRotorSum,
+                                 kSupportEffective,
+                                 kSupportSolve,
+                                 kSupportRecovery,
+                                 kSolve,
+                                 kMultipliers,
+                                 kRecovery,
+                                 kFinish,
+                                 kSensors,
+                                 kMassTile,
+                                 kForward,
+                                 kBackward,
+                                 kCompletion,
+                                 kShareForces,
+                                 kShareInertias,
+                                 kShareReports};
+
+/// Returns the stage of this name; null: none.
+constexpr const Stage* find(std::string_view name) {
+  for (const Stage& stage : kAll)
+    if (name == stage.name) return &stage;
+  return nullptr;
+}
+
+/// Returns the role of the nodes of a stage. Precondition: there is one of this name.
+constexpr StageRole role_of(std::string_view name) {
+  const Stage* const stage = find(name);
+  assert(stage);
+  return stage->role;
+}
 
 }  // namespace spoke::stages

@@ -1,4 +1,5 @@
-// What nodes change is memory of a part: else the check of declarations does not see it.
+// What nodes change is memory of a part: else the check of declarations does not see it. And all
+// are of stages that have a role.
 
 #include <doctest/doctest.h>
 
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "engine/formulation/work.h"
+#include "engine/step/stages.h"
 #include "engine/step/step_graph_builder.h"
 #include "models/system/spatial_system.h"
 #include "tests/engine/scene/shipped.h"
@@ -81,6 +83,7 @@ std::vector<std::string> find_uncovered(SystemContext<World>& context,
   const bool is_implicit = std::holds_alternative<GeneralizedAlpha>(context.integrator.method);
   allocate(context);
   const graph::StepGraph graph = build_step_graph(context);
+  for (const graph::Node& node : graph.nodes()) CHECK(stages::find(node.label.stage));
   const std::vector<Range> covered = covered_by(graph, left_out);
   std::vector<std::string> found;
   for (const int stage : {0, 1, PassControl::kEvaluateOnly}) {
