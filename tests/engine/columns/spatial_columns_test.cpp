@@ -292,9 +292,7 @@ TEST_CASE("nodes that measure sensors in space declare what they read and write"
           context.data.subsystems[i].reading_count =
               static_cast<std::size_t>(count_joint_values(context.system.subsystems[i]));
         place_sensors(scenario.sensors, 2, trees, context.system, context.data);
-        for (SubsystemData<Space>& data : context.data.subsystems)
-          data.reading_ring =
-              ArenaVector<double>(data.reading_count * data.samples.size(), 0.0, *data.arena);
+        for (SubsystemData<Space>& data : context.data.subsystems) place_reading_ring(data);
         const graph::StepGraph graph = build_step_graph(context);
         for (StepProgress& progress : context.data.progress) {
           progress.control = {0.1, stage, std::holds_alternative<GeneralizedAlpha>(method)};
