@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "engine/load.h"
 #include "engine/table/step_data.h"
 
 namespace spoke {

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "engine/act/user_load/user_loads.h"
 #include "engine/formulation/tree_joints.h"
 #include "engine/kernels/hub_motion.h"
-#include "engine/kernels/load_terms.h"
 #include "engine/simulation/describe_loops.h"
 #include "engine/simulation/planar_model.h"
 #include "engine/simulation/require_range.h"
@@ -53,7 +53,7 @@ class ModelOn final : public SimulatedModel {
   }
   void allocate(int records) override {
     spoke::allocate(*context_, records);
-    place_loads(loads_, data());
+    placed_loads_ = &place_loads(loads_, system(), data());
     std::vector<SensorColumn> asked = own_.place_sensors(asked_sensors());
     std::vector<SensorColumn> momentum = take_momentum(scenario_, keeps_momentum_, asked);
     sensors_.emplace(own_.make_sensors(std::move(asked), std::move(momentum)));
@@ -101,8 +101,8 @@ class ModelOn final : public SimulatedModel {
   }
   std::shared_ptr<const Load>& replaceable_load(int index,
                                                 const std::shared_ptr<const Load>& other) override {
-    LoadData<World>& load = find_load(index, data());
-    require_same_markers(other, load);
+    LoadData<World>& load = placed_loads_->find(index);
+    require_same_markers(other, load.given);
     return load.load;
   }
 
@@ -163,7 +163,7 @@ class ModelOn final : public SimulatedModel {
   FailedLoad find_failed_load(const std::string& at) const override {
     std::vector<std::string> names;
     for (const SubsystemNames& own : own_.names()) names.push_back(own.name);
-    return spoke::find_failed_load(data(), names, at);
+    return placed_loads_->find_failed(names, at);
   }
 
  private:
@@ -197,8 +197,9 @@ class ModelOn final : public SimulatedModel {
   std::unique_ptr<SystemContext<World>> context_;
   Own own_;  ///< the part that differs between the worlds
   std::vector<AskedLoad> loads_;
-  bool keeps_momentum_ = false;        ///< whether it is free, and nothing acts on it
-  std::optional<OwnSensors> sensors_;  // none before allocate()
+  UserLoads<World>* placed_loads_ = nullptr;  ///< actor of the table, once that is allocated
+  bool keeps_momentum_ = false;               ///< whether it is free, and nothing acts on it
+  std::optional<OwnSensors> sensors_;         // none before allocate()
 };
 
 }  // namespace spoke

@@ -76,7 +76,7 @@ void Sensors::sample(const System<Plane>& system, std::int64_t step, double t,
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
     update_kinematics(system.subsystems[i], data.subsystems[i]);
     update_loops(system, i, t, data);
-    of_step(data.subsystems[i].samples, step) = calc_sample(system, i, data.subsystems[i]);
+    sample_subsystem(system, i, step, data);
     calc_readings(system, i, step, t, data);
   }
 }

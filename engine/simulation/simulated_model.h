@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/kernels/load_terms.h"
+#include "engine/act/user_load/user_loads.h"
 #include "engine/load.h"
 #include "engine/loops_at_start.h"
 #include "engine/simulation/anchors.h"
@@ -123,7 +123,7 @@ class SimulatedModel {
 
   /// Makes the error of a failed step, see diagnose().
   virtual DivergenceError diagnose(const FailedStep& failed) const = 0;
-  /// Returns the load that has failed, see find_failed_load().
+  /// Returns the load that has failed, see UserLoads::find_failed().
   virtual FailedLoad find_failed_load(const std::string& at) const = 0;
 };
 

@@ -82,7 +82,7 @@ void SpatialModel::sample(std::int64_t step, double t) {
     prescribe_joints(context_.system, t, i, context_.data);
     update_kinematics(subsystem, data);
     update_loops(context_.system, i, t, context_.data);
-    of_step(data.samples, step) = calc_sample(context_.system, i, data);
+    sample_subsystem(context_.system, i, step, context_.data);
     keep_own_values(step, t, data);
     if (!data.readings.empty()) calc_readings(context_.system, i, step, t, context_.data);
   }

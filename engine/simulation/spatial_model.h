@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/columns/spatial_columns.h"
+#include "engine/load.h"
 #include "engine/simulation/spatial_joints.h"
 #include "engine/simulation/spatial_sensors.h"
 #include "engine/steady/subsystem_names.h"

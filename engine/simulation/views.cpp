@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "engine/act/user_load/load_markers.h"
 #include "engine/kernels/anchor_motion.h"
 #include "engine/kernels/kinematics.h"
-#include "engine/kernels/load_terms.h"
 #include "engine/kernels/loop_readings.h"
 #include "engine/kernels/marker_motion.h"
 #include "engine/kernels/modal_damping.h"

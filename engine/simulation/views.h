@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/load.h"
 #include "engine/step/step_context.h"
 #include "engine/tree_shape.h"
 

@@ -4,6 +4,7 @@
 #include "engine/kernels/readings.h"
 
 #include <cassert>
+#include <optional>
 
 #include "engine/kernels/loop_readings.h"
 #include "engine/kernels/marker_motion.h"
@@ -104,18 +105,12 @@ space::Twist calc_of_loop(const System<Space>& system, std::size_t i, const Step
   return from_hub(asked.frame, system.subsystems[i], *data.subsystems[i].hub) * found.in_hub;
 }
 
-/// Returns what the last evaluation has found of the air, linear between stations.
-space::Twist find_in_air(const AirData<Space>& air, const Reading<Space>& asked) {
-  const auto values = [&](std::size_t k) -> space::Twist {
-    const air::StationAir& s = air.stations[k];
-    if (asked.quantity == SensorQuantity::air_flow)
-      return {s.attack, s.relative_speed, s.axial_induction, s.tangential_induction, 0.0, 0.0};
-    return {s.lift, s.drag, s.moment, s.axial_force, s.tangential_force, s.pitching_moment};
-  };
-  const auto k = static_cast<std::size_t>(asked.along);
-  const double share = asked.along - static_cast<double>(k);
-  if (share == 0.0) return values(k);
-  return (1.0 - share) * values(k) + share * values(k + 1);
+/// Returns the value of a sensor that an actor shows.
+space::Twist read_actor(std::size_t i, const StepData<Space>& data, const Reading<Space>& asked) {
+  for (const auto& actor : data.actors)
+    if (const std::optional<space::Twist> value = actor->read(i, asked)) return *value;
+  assert(!"an actor shows the quantity");
+  return space::Twist::Zero();
 }
 
 space::Twist calc_reading(const System<Space>& system, std::size_t i, const StepData<Space>& data,
@@ -140,7 +135,7 @@ space::Twist calc_reading(const System<Space>& system, std::size_t i, const Step
     }
     case SensorQuantity::air_flow:
     case SensorQuantity::air_load:
-      return find_in_air(*own.air, asked);
+      return read_actor(i, data, asked);
     case SensorQuantity::momentum:
     case SensorQuantity::blade_momentum:
       return calc_momentum(own);

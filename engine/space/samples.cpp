@@ -94,7 +94,6 @@ SubsystemSample<Space> calc_sample(const System<Space>& system, std::size_t i,
   SubsystemSample<Space> sample;
   sample.tip = calc_tip(subsystem, data);
   sample.root = data.root_load;
-  if (data.air) sample.air = data.air->sum;
   if (!data.loops.is_empty()) sample.strain = calc_closure_energy(subsystem, data.loops);
   const HubState<Space>& hub = *data.hub;
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {

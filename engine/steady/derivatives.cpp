@@ -90,7 +90,7 @@ SubsystemDerivatives calc_derivatives(std::size_t subsystem, const SubsystemStat
   const std::vector<SubsystemCoordinate>& coordinates = model.coordinates(subsystem);
   const Eigen::Index n = std::ssize(coordinates), rows = n + model.twist_size();
   const HubOffset none = model.no_offset();
-  const HeldAir held(subsystem, state, model);
+  const HeldStates held(subsystem, state, model);
   SubsystemDerivatives by{Eigen::MatrixXd(rows, n), Eigen::MatrixXd(rows, n), {}, {}};
   SubsystemState moved = state;
   for (Eigen::Index k = 0; k < n; ++k) {

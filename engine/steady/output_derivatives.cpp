@@ -41,7 +41,7 @@ OutputDerivatives calc_output_derivatives(std::size_t subsystem, const Subsystem
   const Eigen::Index n = std::ssize(coordinates), rows = std::ssize(model.outputs(subsystem));
   const HubOffset none = model.no_offset();
   const double rate = kVelocityStep * velocity_scale({}, model.speed());
-  const HeldAir held(subsystem, state, model);
+  const HeldStates held(subsystem, state, model);
   OutputDerivatives by{MatrixXd(rows, n), MatrixXd(rows, n), {}, {}, {}};
   SubsystemState moved = state;
   for (Eigen::Index k = 0; k < n; ++k) {

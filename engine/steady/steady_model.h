@@ -203,15 +203,16 @@ class SteadyModel {
   /// Sets the share of loads, gravity and the speed's square, from 0 to 1.
   virtual void set_share(double share) = 0;
 
-  /// Holds induced velocities and separation on a subsystem at those of the state that was
-  /// evaluated last, or lets them follow every state at once again.
-  virtual void hold_air(std::size_t subsystem, bool holds) = 0;
-  /// Holds them at states that advance_air() returned.
-  virtual void hold_air_at(std::size_t subsystem, std::span<const double> states) = 0;
+  // States of actors on a subsystem that follow its motion with a delay, as inflow and separation.
+  /// Holds them at those of the state that was evaluated last, or lets them follow every state at
+  /// once again.
+  virtual void hold_states(std::size_t subsystem, bool holds) = 0;
+  /// Holds them at states that advance_states() returned.
+  virtual void hold_states_at(std::size_t subsystem, std::span<const double> states) = 0;
   /// Holds them as they are a time `elapsed` [s] behind where they are held, at the state that was
-  /// evaluated last; inputs are linear meanwhile. Held nowhere: in equilibrium. Returns them; none:
-  /// no air acts.
-  virtual std::vector<double> advance_air(std::size_t subsystem, double elapsed) = 0;
+  /// evaluated last; inputs are linear meanwhile. Held nowhere: in equilibrium. Returns them;
+  /// empty: there are none.
+  virtual std::vector<double> advance_states(std::size_t subsystem, double elapsed) = 0;
 
   /// Adds a motion about the axis to the hub's steady rotation, besides which the offsets of all
   /// that follows are: its turn, its speed, and its acceleration.
@@ -296,19 +297,19 @@ class SteadyModel {
   double speed_ = 0.0;
 };
 
-/// Holds the air on a subsystem at a state, as SteadyModel::hold_air(), while it lives: motions
-/// that are fast beside the inflow leave it as it is.
-class HeldAir {
+/// Holds the delayed states of actors on a subsystem, as SteadyModel::hold_states(), at those of a
+/// state while it lives: motions that are fast beside the inflow leave it as it is.
+class HeldStates {
  public:
-  HeldAir(std::size_t subsystem, const SubsystemState& state, SteadyModel& model)
+  HeldStates(std::size_t subsystem, const SubsystemState& state, SteadyModel& model)
       : subsystem_(subsystem), model_(model) {
     SubsystemResponse response;
     model.evaluate(subsystem, state, model.no_offset(), response);
-    model.hold_air(subsystem, true);
+    model.hold_states(subsystem, true);
   }
-  ~HeldAir() { model_.hold_air(subsystem_, false); }
-  HeldAir(const HeldAir&) = delete;
-  HeldAir& operator=(const HeldAir&) = delete;
+  ~HeldStates() { model_.hold_states(subsystem_, false); }
+  HeldStates(const HeldStates&) = delete;
+  HeldStates& operator=(const HeldStates&) = delete;
 
  private:
   std::size_t subsystem_;

@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "engine/act/air/air_on_blades.h"
 #include "engine/columns/spatial_columns.h"
 #include "engine/formulation/loops.h"
 #include "engine/kernels/deformation_limits.h"
@@ -66,13 +67,16 @@ TipMotion SteadySystem<World>::tip(std::size_t subsystem) {
 
 template <class World>
 std::optional<SubsystemAir> SteadySystem<World>::air(std::size_t subsystem) const {
-  const std::optional<AirData<World>>& own = data(subsystem).air;
-  if (!own) return std::nullopt;
-  return SubsystemAir{own->sum.thrust,
-                      own->sum.torque,
-                      own->sum.wind,
-                      own->blade->stations(),
-                      {own->stations.begin(), own->stations.end()}};
+  if constexpr (std::is_same_v<World, Space>)
+    for (const auto& actor : context_.data.actors)
+      if (const auto* air = dynamic_cast<const AirOnBlades*>(actor.get()))
+        if (const AirData* own = air->on(subsystem))
+          return SubsystemAir{own->sum.thrust,
+                              own->sum.torque,
+                              own->sum.wind,
+                              own->blade->stations(),
+                              {own->stations.begin(), own->stations.end()}};
+  return std::nullopt;
 }
 
 template <class World>

@@ -11,7 +11,6 @@
 
 #include "engine/columns/spatial_columns.h"
 #include "engine/formulation/loops.h"
-#include "engine/kernels/air_terms.h"
 #include "engine/kernels/deformation_limits.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/hub_solve.h"
@@ -23,7 +22,7 @@
 #include "engine/steady/steady_loops.h"
 #include "engine/steady/subsystem_access.h"
 #include "engine/steady/subsystem_forces.h"
-#include "engine/step/stages.h"
+#include "engine/step/assembly.h"
 #include "engine/step/step_graph_builder.h"
 #include "models/error.h"
 #include "models/system/spatial_system.h"
@@ -89,30 +88,29 @@ void SteadySystem<World>::blow(bool is_axial, bool is_whole) {
 }
 
 template <class World>
-void SteadySystem<World>::hold_air(std::size_t subsystem, bool holds) {
-  SubsystemData<World>& own = data(subsystem);
-  if (!own.air) return;
-  if (holds)
-    keep_air(own);
-  else
-    own.air->states.back() = 0.0;
+void SteadySystem<World>::hold_states(std::size_t subsystem, bool holds) {
+  for (const auto& pair : data(subsystem).delayed) holds ? pair->keep() : pair->forget();
 }
 
 template <class World>
-void SteadySystem<World>::hold_air_at(std::size_t subsystem, std::span<const double> states) {
-  SubsystemData<World>& own = data(subsystem);
-  if (!own.air) return;
-  assert(states.size() == own.air->states.size());
-  std::copy(states.begin(), states.end(), own.air->states.begin());
+void SteadySystem<World>::hold_states_at(std::size_t subsystem, std::span<const double> states) {
+  for (const auto& pair : data(subsystem).delayed) {
+    assert(states.size() >= pair->kept.size());
+    std::copy_n(states.begin(), pair->kept.size(), pair->kept.begin());
+    states = states.subspan(pair->kept.size());
+  }
+  assert(states.empty());
 }
 
 template <class World>
-std::vector<double> SteadySystem<World>::advance_air(std::size_t subsystem, double elapsed) {
-  SubsystemData<World>& own = data(subsystem);
-  if (!own.air) return {};
-  evaluate_air(0.0, elapsed, false, context_.system, subsystem, own);
-  keep_air(own);
-  return {own.air->states.begin(), own.air->states.end()};
+std::vector<double> SteadySystem<World>::advance_states(std::size_t subsystem, double elapsed) {
+  for (const auto& actor : context_.data.actors) actor->advance(subsystem, elapsed);
+  std::vector<double> states;
+  for (const auto& pair : data(subsystem).delayed) {
+    pair->keep();
+    states.insert(states.end(), pair->kept.begin(), pair->kept.end());
+  }
+  return states;
 }
 
 template <class World>
@@ -136,7 +134,7 @@ void SteadySystem<World>::find_nodes() {
     const graph::NodeLabel& label = graph_->node(node).label;
     if (label.subsystem < 0) continue;
     const auto subsystem = static_cast<std::size_t>(label.subsystem);
-    const StageRole role = stages::role_of(label.stage);
+    const StageRole role = role_of(label.stage, context_.data);
     if (role == StageRole::terms) terms_[subsystem].push_back(node);
     if (role == StageRole::solution) solution_[subsystem].push_back(node);
   }
@@ -385,9 +383,9 @@ template SteadySystem<Plane>::SteadySystem(const SystemMaker<Plane>&, std::vecto
 template bool SteadySystem<Plane>::has_torque_drive() const;
 template Eigen::Matrix3d SteadySystem<Plane>::root_axes(std::size_t, int) const;
 template void SteadySystem<Plane>::set_share(double);
-template void SteadySystem<Plane>::hold_air(std::size_t, bool);
-template void SteadySystem<Plane>::hold_air_at(std::size_t, std::span<const double>);
-template std::vector<double> SteadySystem<Plane>::advance_air(std::size_t, double);
+template void SteadySystem<Plane>::hold_states(std::size_t, bool);
+template void SteadySystem<Plane>::hold_states_at(std::size_t, std::span<const double>);
+template std::vector<double> SteadySystem<Plane>::advance_states(std::size_t, double);
 template void SteadySystem<Plane>::move_hub(double, double, double);
 template Eigen::VectorXd SteadySystem<Plane>::initial(std::size_t) const;
 template void SteadySystem<Plane>::settle(std::size_t, Eigen::VectorXd&);
@@ -409,9 +407,9 @@ template SteadySystem<Space>::SteadySystem(const SystemMaker<Space>&, std::vecto
 template bool SteadySystem<Space>::has_torque_drive() const;
 template Eigen::Matrix3d SteadySystem<Space>::root_axes(std::size_t, int) const;
 template void SteadySystem<Space>::set_share(double);
-template void SteadySystem<Space>::hold_air(std::size_t, bool);
-template void SteadySystem<Space>::hold_air_at(std::size_t, std::span<const double>);
-template std::vector<double> SteadySystem<Space>::advance_air(std::size_t, double);
+template void SteadySystem<Space>::hold_states(std::size_t, bool);
+template void SteadySystem<Space>::hold_states_at(std::size_t, std::span<const double>);
+template std::vector<double> SteadySystem<Space>::advance_states(std::size_t, double);
 template void SteadySystem<Space>::move_hub(double, double, double);
 template Eigen::VectorXd SteadySystem<Space>::initial(std::size_t) const;
 template void SteadySystem<Space>::settle(std::size_t, Eigen::VectorXd&);

@@ -54,9 +54,9 @@ class SteadySystem final : public SteadyModel {
   bool is_hub_free() const override { return hub_.support == HubSupport::free; }
   bool has_torque_drive() const override;
   void set_share(double share) override;
-  void hold_air(std::size_t subsystem, bool holds) override;
-  void hold_air_at(std::size_t subsystem, std::span<const double> states) override;
-  std::vector<double> advance_air(std::size_t subsystem, double elapsed) override;
+  void hold_states(std::size_t subsystem, bool holds) override;
+  void hold_states_at(std::size_t subsystem, std::span<const double> states) override;
+  std::vector<double> advance_states(std::size_t subsystem, double elapsed) override;
   void move_hub(double turn, double rate, double acceleration) override;
   Eigen::VectorXd initial(std::size_t subsystem) const override;
   void settle(std::size_t subsystem, Eigen::VectorXd& q) override;

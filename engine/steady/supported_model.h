@@ -86,12 +86,12 @@ class SupportedModel final : public SteadyModel {
   bool is_hub_free() const override { return support_->is_hub_free(); }
   bool has_torque_drive() const override { return parts_.has_torque; }
   void set_share(double share) override;
-  void hold_air(std::size_t i, bool holds) override { of(i).hold_air(in(i), holds); }
-  void hold_air_at(std::size_t i, std::span<const double> states) override {
-    of(i).hold_air_at(in(i), states);
+  void hold_states(std::size_t i, bool holds) override { of(i).hold_states(in(i), holds); }
+  void hold_states_at(std::size_t i, std::span<const double> states) override {
+    of(i).hold_states_at(in(i), states);
   }
-  std::vector<double> advance_air(std::size_t i, double elapsed) override {
-    return of(i).advance_air(in(i), elapsed);
+  std::vector<double> advance_states(std::size_t i, double elapsed) override {
+    return of(i).advance_states(in(i), elapsed);
   }
   void move_hub(double turn, double rate, double acceleration) override {
     rotor_->move_hub(turn, rate, acceleration);

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cassert>
 
+#include "engine/act/place_actors.h"
 #include "engine/formulation/loops.h"
-#include "engine/kernels/air_terms.h"
 #include "engine/kernels/applied_forces.h"
 #include "engine/kernels/hub_motion.h"
-#include "engine/kernels/pitch_control.h"
 #include "engine/space/put_joint.h"
 #include "engine/step/loop_start.h"
 #include "engine/step/step_context.h"
@@ -65,13 +64,6 @@ void set_start_of_axles(const System<Space>& system, StepData<Space>& data) {
   }
 }
 
-template <class World>
-void start_controls(const System<World>& system, StepData<World>& data) {
-  for (std::size_t i = 0; i < data.subsystems.size(); ++i)
-    std::transform(system.subsystems[i].controls.begin(), system.subsystems[i].controls.end(),
-                   data.subsystems[i].controls.begin(), start_control);
-}
-
 void set_start(const System<Plane>&, StepData<Plane>&) {}
 
 void set_start(const TreeBody<Space>& model, BodyData<Space>& body) {
@@ -115,8 +107,7 @@ void allocate(SystemContext<World>& context, int window_steps) {
   allocate(context.system, context.formulation, implicit_shares(method, context.system.damping),
            data, context.work);
   set_start(context.system, data);
-  place_air(context.system, data);
-  start_controls(context.system, data);
+  place_actors(context.system, data);
   place_applied_forces(data);
   put_hub_at_start(context);
   start_loops(context);

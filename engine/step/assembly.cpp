@@ -2,8 +2,6 @@
 
 #include "engine/step/assembly.h"
 
-#include <algorithm>
-
 #include "engine/kernels/hub_motion.h"
 
 namespace spoke {
@@ -14,17 +12,8 @@ template <class World>
 PartList loads_on(const Assembly<World>& g, int i, int j) {
   PartList list;
   if (g.c.data.subsystems[i].bodies[j].applied.empty())
-    return list;  // spares a look at all subsystems
-  for (std::size_t first = 0; first < g.c.data.subsystems.size(); ++first) {
-    const std::vector<LoadData<World>>& loads = g.c.data.subsystems[first].loads;
-    for (std::size_t k = 0; k < loads.size(); ++k)
-      if (std::any_of(loads[k].markers.begin(), loads[k].markers.end(),
-                      [i, j](const PlacedMarker<World>& marker) {
-                        return marker.subsystem == i && marker.body == j;
-                      }))
-        list.push_back(g.c.data.subsystems[first].parts.loads[k]);
-  }
-  if (g.c.data.subsystems[i].air) list.push_back(g.subsystem(i).air);
+    return list;  // spares a look at all markers
+  for (const auto& actor : g.c.data.actors) actor->list_parts_on(i, j, list);
   return list;
 }
 

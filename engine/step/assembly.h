@@ -2,43 +2,25 @@
 
 // Helpers of the sources that add the nodes of a pass.
 
-#include <string>
-#include <vector>
+#include <algorithm>
+#include <cassert>
+#include <string_view>
 
 #include "engine/formulation/tree_joints.h"
 #include "engine/step/stages.h"
 #include "engine/step/step_context.h"
-#include "graph/step_graph.h"
 
 namespace spoke {
 
-using PartList = std::vector<graph::PartId>;
-
-/// The builder of a graph, the context of its nodes, and the pass that they belong to.
+/// The pass to which nodes are added, and the context of these.
 template <class World>
-struct Assembly {
+struct Assembly : PassNodes {
   SystemContext<World>& c;
-  graph::StepGraphBuilder& builder;
-  int pass = -1;
 
   /// Returns the parts of the system, and those of subsystem `i`.
   const SystemParts& parts() const { return c.data.parts; }
   const SubsystemParts& subsystem(int i) const { return c.data.subsystems[i].parts; }
-  graph::NodeLabel label(const char* stage, int subsystem = -1, int body = -1) const {
-    return {stage, subsystem, body, pass};
-  }
-  graph::NodeLabel label_item(const char* stage, int subsystem, const std::string& item) const {
-    return {stage, subsystem, -1, pass, item};
-  }
 };
-
-/// Makes the body of a node that has nothing to do while its progress is halted.
-template <class Body>
-auto unless_halted(const StepProgress& progress, Body body) {
-  return [&progress, body]() noexcept {
-    if (!progress.is_halted) body();
-  };
-}
 
 /// Returns the rotor whose support subsystem `i` is; -1: none.
 template <class World>
@@ -54,9 +36,21 @@ int find_hub(const Assembly<World>& g, int i, int j) {
   return r >= 0 && g.c.system.rotors[static_cast<std::size_t>(r)].body == j ? r : -1;
 }
 
-/// Returns the parts of the user's loads, and of air, that act on body `j` of subsystem `i`.
+/// Adds the nodes of the actors for subsystem `i` at this place of the pass.
+template <class World>
+void add_actors(const Assembly<World>& g, PassPlace place, int i) {
+  for (const auto& actor : g.c.data.actors) actor->add_nodes(g, place, i);
+}
+/// Returns the parts by which actors act on body `j` of subsystem `i`.
 template <class World>
 PartList loads_on(const Assembly<World>& g, int i, int j);
+/// Returns the parts of actors that prescribed joints of a subsystem follow.
+template <class World>
+PartList courses_of(const Assembly<World>& g, int i) {
+  PartList list;
+  for (const auto& actor : g.c.data.actors) actor->list_courses(i, list);
+  return list;
+}
 /// Returns one member of all subsystems, and one of all bodies of all subsystems.
 template <class World>
 PartList all_of(const Assembly<World>& g, graph::PartId SubsystemParts::*member) {
@@ -75,6 +69,17 @@ PartList all_of(const Assembly<World>& g, graph::PartId BodyParts::*member) {
 template <class World>
 bool has_coordinates(const TreeBody<World>& body) {
   return joint_coordinates(body) > 0;
+}
+/// Returns the role of the nodes of a stage: of every pass, or of an actor. Precondition: there is
+/// one of this name.
+template <class World>
+StageRole role_of(std::string_view stage, const StepData<World>& data) {
+  if (const Stage* const found = stages::find(stage)) return found->role;
+  const auto own = std::find_if(data.actors.begin(), data.actors.end(), [stage](const auto& actor) {
+    return stage == actor->stage().name;
+  });
+  assert(own != data.actors.end());
+  return (*own)->stage().role;
 }
 /// Whether a pass ends with the correction of a free coordinate of the hub.
 template <class World>

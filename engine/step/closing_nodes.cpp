@@ -3,7 +3,6 @@
 #include "engine/step/closing_nodes.h"
 
 #include "engine/formulation/loops.h"
-#include "engine/kernels/air_terms.h"
 #include "engine/kernels/hub_solve.h"
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/loop_motion.h"
@@ -12,7 +11,6 @@
 #include "engine/space/joint_values.h"
 #include "engine/space/relative_motion.h"
 #include "engine/space/supported_rotor.h"
-#include "engine/step/control_nodes.h"
 #include "engine/step/pass_integration.h"
 
 namespace spoke {
@@ -70,6 +68,15 @@ PartList reading_inputs(const Assembly<Space>& g, int i) {
   return inputs;
 }
 
+/// Adds the states of actors that the end of a step keeps: those reached, and those kept.
+template <class World>
+void add_states(const SubsystemData<World>& data, PartList& reached, PartList& kept) {
+  for (const auto& pair : data.delayed) {
+    reached.push_back(pair->reached_part);
+    kept.push_back(pair->kept_part);
+  }
+}
+
 /// Return the parts that calculating a sample writes besides it: spatial kernels share the
 /// workspaces.
 PartList sample_outputs(const Assembly<Plane>&, int) { return {}; }
@@ -109,9 +116,7 @@ void add_finish(const Assembly<World>& g) {
   for (std::size_t i = 0; i < c.data.subsystems.size(); ++i) {
     const SubsystemParts& own = c.data.subsystems[i].parts;
     if (!own.loops.is_empty()) reports.push_back(own.loops.report);
-    if (!c.data.subsystems[i].air) continue;
-    reports.push_back(own.air_reached);
-    outputs.push_back(own.air_states);
+    add_states(c.data.subsystems[i], reports, outputs);
   }
   if (is_corrected) outputs.push_back(parts.hub_state);
   g.builder.add_node(
@@ -126,7 +131,7 @@ void add_finish(const Assembly<World>& g) {
         }
         finish_system(c.system, c.integrator, c.data);
         if (progress.completed < 0) return;
-        for (SubsystemData<World>& subsystem : c.data.subsystems) keep_air(subsystem);
+        for (SubsystemData<World>& subsystem : c.data.subsystems) keep_states(subsystem);
         // The sensors need it: the last correction has moved the hub once more.
         if (is_corrected) c.data.hub = calc_hub_state(c.data);
         const double t = static_cast<double>(progress.completed) * step_size(c.integrator);
@@ -143,10 +148,7 @@ void add_subsystem_finish(const Assembly<World>& g, int i) {
   SubsystemData<World>& data = g.c.data.subsystems[i];
   PartList reports, states;
   if (!own.loops.is_empty()) reports.push_back(own.loops.report);
-  if (data.air) {
-    reports.push_back(own.air_reached);
-    states.push_back(own.air_states);
-  }
+  add_states(data, reports, states);
   g.builder.add_node(g.label(stages::kFinish, i),
                      reads(reports, states, own.progress, own.all(&BodyParts::report),
                            own.all(&BodyParts::power), own.effective, own.hub_state, own.records),
@@ -156,7 +158,7 @@ void add_subsystem_finish(const Assembly<World>& g, int i) {
                          data.progress->completed = StepProgress::kNone;
                        else
                          finish_subsystem<World>(hub, integrator, window, data);
-                       if (data.progress->completed >= 0) keep_air(data);
+                       if (data.progress->completed >= 0) keep_states(data);
                      });
 }
 
@@ -171,28 +173,27 @@ void add_sensors(const Assembly<World>& g, int i) {
   if (data.reading_count > 0) outputs.push_back(own.readings);
   for (const PartId part : sample_outputs(g, i)) outputs.push_back(part);
   if (!own.loops.is_empty()) outputs.push_back(own.loops.motion);
-  PartList air;
-  if (data.air) air.push_back(own.air);
+  PartList shown;
+  for (const auto& actor : table.actors) actor->list_shown(i, shown);
   const PartList inputs{own.rotations, own.twists};
   if (is_corrected) graph::add_to(outputs, inputs);
-  g.builder.add_node(
-      g.label(stages::kSensors, i),
-      reads(own.progress, own.all(&BodyParts::coordinates), own.hub_state, inputs,
-            joint_load_inputs(g, i), reading_inputs(g, i), controls_of(g, i), air, outputs),
-      writes(outputs), [&c, &table, &data, i, is_corrected]() noexcept {
-        const std::int64_t step = data.progress->completed;
-        if (step < 0) return;
-        const auto index = static_cast<std::size_t>(i);
-        const Subsystem<World>& subsystem = c.system.subsystems[index];
-        keep_joint_loads(subsystem, data);
-        keep_loop_loads(data);
-        if (!table.window.observed) return;
-        if (is_corrected) update_kinematics(subsystem, data);
-        const double t = static_cast<double>(step) * step_size(c.integrator);
-        update_loops(c.system, index, t, table);
-        of_step(data.samples, step) = calc_sample(c.system, index, data);
-        keep_readings(c, index, step, table);
-      });
+  g.builder.add_node(g.label(stages::kSensors, i),
+                     reads(own.progress, own.all(&BodyParts::coordinates), own.hub_state, inputs,
+                           joint_load_inputs(g, i), reading_inputs(g, i), shown, outputs),
+                     writes(outputs), [&c, &table, &data, i, is_corrected]() noexcept {
+                       const std::int64_t step = data.progress->completed;
+                       if (step < 0) return;
+                       const auto index = static_cast<std::size_t>(i);
+                       const Subsystem<World>& subsystem = c.system.subsystems[index];
+                       keep_joint_loads(subsystem, data);
+                       keep_loop_loads(data);
+                       if (!table.window.observed) return;
+                       if (is_corrected) update_kinematics(subsystem, data);
+                       const double t = static_cast<double>(step) * step_size(c.integrator);
+                       update_loops(c.system, index, t, table);
+                       sample_subsystem(c.system, index, step, table);
+                       keep_readings(c, index, step, table);
+                     });
 }
 
 template void add_finish(const Assembly<Plane>&);

@@ -5,23 +5,19 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/kernels/air_terms.h"
 #include "engine/kernels/applied_forces.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/kinematics.h"
-#include "engine/kernels/load_terms.h"
 #include "engine/kernels/modal_damping.h"
 #include "engine/plane/handle_motion.h"
 #include "engine/plane/section_loads.h"
 #include "engine/space/supported_rotor.h"
 #include "engine/space/table_terms.h"
-#include "engine/step/control_nodes.h"
 #include "engine/step/pass_integration.h"
 
 namespace spoke {
 namespace {
 
-using graph::NodeLabel;
 using graph::PartId;
 using graph::reads;
 using graph::writes;
@@ -34,42 +30,6 @@ PartList chain_parts(const Assembly<World>& g, int i, PartId BodyParts::*part) {
   if constexpr (!tree::kHasJointCoordinates<World>)
     if (!turns_inboard(*g.c.system.subsystems[i].bodies.back().body)) list.pop_back();
   return list;
-}
-
-/// Returns the parts on which the places of markers depend: on each of their subsystems the bodies
-/// up to the outermost marker's own; in space the handles of those inboard are with the rotations.
-template <class World>
-PartList marker_inputs(const Assembly<World>& g, const std::vector<int>& subsystems,
-                       const std::vector<PlacedMarker<World>>& markers) {
-  const SubsystemParts& first = g.subsystem(subsystems.front());
-  PartList inputs{first.progress, first.hub_state};
-  for (const int i : subsystems) {
-    const SubsystemParts& own = g.subsystem(i);
-    int last = 0;
-    for (const PlacedMarker<World>& marker : markers)
-      if (marker.subsystem == i) last = std::max(last, marker.body);
-    inputs.push_back(own.rotations);
-    inputs.push_back(own.twists);
-    for (int j = 0; j <= last; ++j)
-      inputs.push_back(own.bodies[static_cast<std::size_t>(j)].coordinates);
-  }
-  return inputs;
-}
-
-/// Returns the workspaces that placing markers uses: those of the solids that stiffen in their
-/// trees, which draw what they carry inward.
-PartList marker_scratch(const Assembly<Plane>&, const std::vector<PlacedMarker<Plane>>&) {
-  return {};
-}
-PartList marker_scratch(const Assembly<Space>& g, const std::vector<PlacedMarker<Space>>& markers) {
-  PartList scratch;
-  for (const PlacedMarker<Space>& marker : markers) {
-    const auto& bodies = g.c.data.subsystems[marker.subsystem].bodies;
-    for (std::size_t j = 0; std::cmp_less_equal(j, marker.body); ++j)
-      if (bodies[j].solid_tension && bodies[j].model->stiffening)
-        scratch.push_back(g.subsystem(marker.subsystem).bodies[j].scratch);
-  }
-  return scratch;
 }
 
 /// Whether an implicit step has tension of any body of a subsystem on its left-hand side.
@@ -186,7 +146,7 @@ void add_velocity(const Assembly<World>& g, int i) {
   }
   g.builder.add_node(g.label(stages::kVelocity, i),
                      reads(own.progress, chain_parts(g, i, &BodyParts::coordinates), own.rotations,
-                           own.hub_state, azimuth, accelerations, modal, controls_of(g, i)),
+                           own.hub_state, azimuth, accelerations, modal, courses_of(g, i)),
                      writes(outputs),
                      unless_halted(*data.progress, [&system, &subsystem, &table, &data, i,
                                                     has_tension]() noexcept {
@@ -198,57 +158,6 @@ void add_velocity(const Assembly<World>& g, int i) {
                        if (!data.modal_forces.empty()) calc_modal_forces(subsystem, data);
                        if (!data.drag_poses.empty()) calc_poses(subsystem, data, data.drag_poses);
                      }));
-}
-
-namespace {
-
-/// Whether there are several loads of the user's, whose nodes need names of their own.
-template <class World>
-bool has_several_loads(const StepData<World>& data) {
-  std::size_t count = 0;
-  for (const SubsystemData<World>& subsystem : data.subsystems) count += subsystem.loads.size();
-  return count > 1;
-}
-
-}  // namespace
-
-template <class World>
-void add_loads_of_user(const Assembly<World>& g, int i) {
-  const SystemContext<World>& c = g.c;
-  SubsystemData<World>& data = g.c.data.subsystems[i];
-  for (std::size_t k = 0; k < data.loads.size(); ++k) {
-    LoadData<World>& load = data.loads[k];
-    NodeLabel label =
-        load.subsystems.size() > 1 ? g.label(stages::kLoad) : g.label(stages::kLoad, i);
-    if (has_several_loads(c.data)) label.item = "load " + std::to_string(load.number + 1);
-    const PartList scratch = marker_scratch(g, load.markers);
-    g.builder.add_node(
-        label, reads(marker_inputs(g, load.subsystems, load.markers), scratch),
-        writes(g.subsystem(i).loads[k], scratch),
-        unless_halted(*data.progress, [&c, &progress = *data.progress, &load]() noexcept {
-          evaluate_load(progress.control.time, c.system, c.data, load);
-        }));
-  }
-}
-
-template <class World>
-void add_air(const Assembly<World>& g, int i) {
-  const SystemContext<World>& c = g.c;
-  SubsystemData<World>& data = g.c.data.subsystems[i];
-  if (!data.air) return;
-  const SubsystemParts& own = g.subsystem(i);
-  const double h = step_size(c.integrator);
-  g.builder.add_node(
-      g.label(stages::kAir, i),
-      reads(marker_inputs(g, {i}, data.air->markers), own.air_states, own.air_reached),
-      writes(own.air, own.air_reached), unless_halted(*data.progress, [&c, &data, i, h]() noexcept {
-        const StepProgress& progress = *data.progress;
-        const bool is_between = progress.control.is_between_steps();
-        const double begin = static_cast<double>(progress.step - (is_between ? 0 : 1)) * h;
-        const double t = progress.control.time;
-        evaluate_air(t, std::max(0.0, t - begin), progress.control.continues_iteration(), c.system,
-                     static_cast<std::size_t>(i), data);
-      }));
 }
 
 namespace {
@@ -326,8 +235,6 @@ template void add_prescribed_hub_motion(const Assembly<Plane>&, int);
 template void add_coordinates(const Assembly<Plane>&, int);
 template void add_position(const Assembly<Plane>&, int);
 template void add_velocity(const Assembly<Plane>&, int);
-template void add_loads_of_user(const Assembly<Plane>&, int);
-template void add_air(const Assembly<Plane>&, int);
 template void add_applied_forces(const Assembly<Plane>&, int);
 template void add_flight_acceleration(const Assembly<Plane>&);
 template void add_hub_motion(const Assembly<Space>&);
@@ -335,8 +242,6 @@ template void add_prescribed_hub_motion(const Assembly<Space>&, int);
 template void add_coordinates(const Assembly<Space>&, int);
 template void add_position(const Assembly<Space>&, int);
 template void add_velocity(const Assembly<Space>&, int);
-template void add_loads_of_user(const Assembly<Space>&, int);
-template void add_air(const Assembly<Space>&, int);
 template void add_applied_forces(const Assembly<Space>&, int);
 template void add_flight_acceleration(const Assembly<Space>&);
 

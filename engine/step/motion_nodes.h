@@ -1,7 +1,7 @@
 #pragma once
 
 // The nodes with which a pass begins: motion of the hub, coordinates, position and velocity
-// analysis, loads of the user's and of air.
+// analysis, and the sums of what is applied.
 
 #include "engine/step/assembly.h"
 
@@ -26,13 +26,6 @@ void add_position(const Assembly<World>& g, int i);
 /// Adds the node of the bodies' twists, and of their poses only where drag depends on them.
 template <class World>
 void add_velocity(const Assembly<World>& g, int i);
-/// Adds the nodes of the loads whose first subsystem is `i`. A load between subsystems is a node of
-/// no subsystem.
-template <class World>
-void add_loads_of_user(const Assembly<World>& g, int i);
-/// Adds the node of the air on a subsystem, if any acts.
-template <class World>
-void add_air(const Assembly<World>& g, int i);
 /// Adds the node that sums the applied forces along a subsystem, where tension depends on them.
 template <class World>
 void add_applied_forces(const Assembly<World>& g, int i);

@@ -1,41 +1,19 @@
 #pragma once
 
-// The stages of a step, those of its graph's nodes: the names by which traces, messages and
-// predictions call them, and their roles.
+// The stages of every pass, those of its nodes: the names by which traces, messages and predictions
+// call them, and their roles. Actors (engine/act/) have stages besides.
 
 #include <array>
-#include <cassert>
 #include <string_view>
 
-namespace spoke {
-
-/// What nodes of a stage do in a pass. Evaluations of subsystems alone (engine/steady) choose nodes
-/// by it.
-enum class StageRole {
-  given,     ///< set what a state is evaluated at: controls, motion of the hub, coordinates
-  terms,     ///< lead to the terms of bodies: their motion, and what acts on them
-  solution,  ///< lead from the terms to the accelerations
-  system     ///< are of the hub and all subsystems, or end the pass
-};
-
-struct Stage {
-  const char* name;
-  StageRole role;
-
-  constexpr operator const char*() const { return name; }
-};
-
-}  // namespace spoke
+#include "engine/table/stage.h"
 
 namespace spoke::stages {
 
-inline constexpr Stage kControl{"control", StageRole::given};
 inline constexpr Stage kHubMotion{"hub motion", StageRole::given};
 inline constexpr Stage kCoordinates{"coordinates", StageRole::given};
 inline constexpr Stage kPosition{"position", StageRole::terms};
 inline constexpr Stage kVelocity{"velocity", StageRole::terms};
-inline constexpr Stage kLoad{"load", StageRole::terms};  ///< the user's loads
-inline constexpr Stage kAir{"air", StageRole::terms};
 inline constexpr Stage kAppliedForces{"applied forces", StageRole::terms};
 inline constexpr Stage kFlightAcceleration{"flight acceleration", StageRole::system};
 inline constexpr Stage kMass{"mass", StageRole::terms};
@@ -68,13 +46,10 @@ inline constexpr Stage kShareForces{"share forces", StageRole::system};
 inline constexpr Stage kShareInertias{"share inertias", StageRole::system};
 inline constexpr Stage kShareReports{"share reports", StageRole::system};
 
-inline constexpr std::array kAll{kControl,
-                                 kHubMotion,
+inline constexpr std::array kAll{kHubMotion,
                                  kCoordinates,
                                  kPosition,
                                  kVelocity,
-                                 kLoad,
-                                 kAir,
                                  kAppliedForces,
                                  kFlightAcceleration,
                                  kMass,
@@ -103,18 +78,11 @@ inline constexpr std::array kAll{kControl,
                                  kShareInertias,
                                  kShareReports};
 
-/// Returns the stage of this name; null: none.
+/// Returns the stage of this name; null: none of every pass.
 constexpr const Stage* find(std::string_view name) {
   for (const Stage& stage : kAll)
     if (name == stage.name) return &stage;
   return nullptr;
-}
-
-/// Returns the role of the nodes of a stage. Precondition: there is one of this name.
-constexpr StageRole role_of(std::string_view name) {
-  const Stage* const stage = find(name);
-  assert(stage);
-  return stage->role;
 }
 
 }  // namespace spoke::stages

@@ -13,7 +13,6 @@
 #include "engine/space/fetch_ahead.h"
 #include "engine/space/table_terms.h"
 #include "engine/step/closing_nodes.h"
-#include "engine/step/control_nodes.h"
 #include "engine/step/loop_nodes.h"
 #include "engine/step/motion_nodes.h"
 #include "engine/step/solution_nodes.h"
@@ -33,13 +32,11 @@
 // Closed loops add "loop motion" behind "velocity", a node "loop columns" for each loop and "loop
 // factor" behind "effective", and "loop forces" before "multipliers". The hub does not see them.
 //
-// Controllers of a subsystem are a node "control" before all of these, which changes nothing but in
-// the first pass of a step; "velocity" follows it.
-//
-// A load of the user's on the subsystem is a node between "velocity" and the "mass" of its bodies,
-// and so is "air". "finish" keeps the states that the step's last "air" has reached.
-// One between subsystems is a node of no subsystem, and makes the passes of all subsystems one, as
-// below.
+// Actors (engine/table/actor.h) add nodes in two places. Controllers of a subsystem are a node
+// "control" before all of these, which changes nothing but in the first pass of a step; "velocity"
+// follows it. A load of the user's is a node between "velocity" and the "mass" of its bodies, and
+// so is "air"; "finish" keeps the states that they have reached. A load between subsystems is a
+// node of no subsystem, and makes the passes of all subsystems one, as below.
 //
 // Nothing that a subsystem's next pass reads comes from another subsystem: the passes of a graph,
 // and with them the steps of a window, are one chain for each subsystem, with its own progress. The
@@ -240,13 +237,12 @@ void add_coupled_pass(const Assembly<World>& g, const Extent& own) {
     for_others(add);
     for_supports(add);
   };
-  for_others(add_control<World>);
+  for_each([](const Assembly<World>& g, int i) { add_actors(g, PassPlace::before_motion, i); });
   add_hub_motion(g);
   for_supports(add_motion<World>);
   for (int r = 0; r < rotors; ++r) add_rotor_motion(g, r);
   for_others(add_motion<World>);
-  for_each(add_loads_of_user<World>);  // some of them between subsystems
-  for_each(add_air<World>);
+  for_each([](const Assembly<World>& g, int i) { add_actors(g, PassPlace::on_motion, i); });
   for_each(add_applied_forces<World>);
   if (own.sharing && own.sharing->forces) {
     PartList forces;
@@ -284,10 +280,9 @@ void add_coupled_pass(const Assembly<World>& g, const Extent& own) {
 
 template <class World>
 void add_pass_of_subsystem(const Assembly<World>& g, int i) {
-  add_control(g, i);
+  add_actors(g, PassPlace::before_motion, i);
   add_motion(g, i);
-  add_loads_of_user(g, i);
-  add_air(g, i);
+  add_actors(g, PassPlace::on_motion, i);
   add_applied_forces(g, i);
   add_condensation(g, i);
   add_recoveries(g, i);
@@ -301,7 +296,7 @@ graph::StepGraph build(SystemContext<World>& c, int passes, const Extent& own) {
   assert(std::cmp_less_equal(own.last, c.data.subsystems.size()));
   StepGraphBuilder builder("blade");
   c.data.all_parts.share_with(builder);
-  const Assembly<World> g{c, builder, passes > 1 ? 0 : -1};
+  const Assembly<World> g{{builder, step_size(c.integrator), passes > 1 ? 0 : -1}, c};
   if (c.data.is_coupled)
     add_coupled_pass(g, own);
   else

@@ -85,7 +85,6 @@ void declare_parts(SubsystemData<World>& data) {
   parts.joint_loads = maker.cover("joint loads", Mark::state, data.root_load, data.joint_loads);
   if (!data.modal_forces.empty())
     parts.modal_forces = maker.cover("modal forces", Mark::none, data.modal_forces);
-  if (!data.controls.empty()) parts.controls = maker.cover("control", Mark::state, data.controls);
   parts.bodies.resize(data.bodies.size());
   for (std::size_t j = 0; j < data.bodies.size(); ++j) {
     declare_coordinates(j, data);
@@ -115,7 +114,6 @@ void allocate(const Subsystem<World>& subsystem, const TableOptions& options,
     fields += count_fields(*subsystem.bodies[j].body);
   }
   data.modal_forces = ArenaVector<double>(subsystem.modal_factors.size(), 0.0, arena);
-  data.controls = ArenaVector<ControlState>(subsystem.controls.size(), arena);
   data.state = ArenaVector<double>(state, 0.0, arena);
   data.fields = ArenaVector<double>(fields, 0.0, arena);
   double *next = data.state.data(), *next_fields = data.fields.data();
@@ -291,6 +289,7 @@ void allocate(const System<World>& system, const TableOptions& options, StepData
   data.all_parts = {};
   data.parts = {};
   declare_system_parts(data);
+  data.actors.clear();
   data.subsystems = std::vector<SubsystemData<World>>(system.subsystems.size());
   data.arenas.clear();
   for (std::size_t i = 0; i < system.subsystems.size(); ++i) {

@@ -49,15 +49,10 @@ struct SubsystemParts {
   graph::PartId drag_poses;             ///< if there are any
   graph::PartId applied_forces;         ///< if a tension depends on them
   graph::PartId modal_forces;           ///< if modes damp beams
-  graph::PartId controls;               ///< if controllers move its joints
   graph::PartId joint_loads, readings;  ///< with the load of the root; if there are sensors
   graph::PartId progress, hub_state, hub_acceleration;  ///< own ones, or the system's if coupled
   graph::PartId records;                                ///< if not coupled
   graph::PartId workspace;                              ///< workspace of the effective inertia
-  std::vector<graph::PartId> loads;                     ///< wrenches of the user's loads
-  graph::PartId air;                                    ///< wrenches of air
-  graph::PartId air_reached;                            ///< its states at the evaluated time
-  graph::PartId air_states;                             ///< those before the step
   LoopParts loops;                                      ///< if there are loops
 
   /// Returns one member of all bodies, parents before children.

@@ -98,13 +98,7 @@ void for_each_state_part(SubsystemData<World>& subsystem, Apply&& apply) {
   apply(doubles(subsystem.joint_loads[0], subsystem.joint_loads.size()));
   if (ArenaVector<double>& kept = subsystem.loops.kept_multipliers; !kept.empty())
     apply(doubles(kept[0], kept.size()));
-  if (subsystem.air) {
-    AirData<World>& air = *subsystem.air;
-    apply(doubles(air.states[0], air.states.size()));
-    apply(doubles(air.stations[0], air.stations.size()));
-    apply(doubles(air.sum));
-  }
-  if (!subsystem.controls.empty()) apply(doubles(subsystem.controls[0], subsystem.controls.size()));
+  for (const std::span<double> of_actor : subsystem.saved) apply(of_actor);
   for (BodyData<World>& body : subsystem.bodies) {
     apply_to_joint(body, apply);
     apply_to_block(body.coordinates, apply);

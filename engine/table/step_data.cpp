@@ -58,33 +58,21 @@ void StepData<World>::return_record(std::int64_t step) {
   of_step(records, step) = kept_;
 }
 
-namespace {
-
-/// Whether `check` is true of any load of the user's.
-template <class World, class Check>
-bool any_load(const StepData<World>& data, Check&& check) {
-  return std::any_of(data.subsystems.begin(), data.subsystems.end(),
-                     [&](const SubsystemData<World>& s) {
-                       return std::any_of(s.loads.begin(), s.loads.end(), check);
-                     });
-}
-
-}  // namespace
-
 template <class World>
 bool StepData<World>::has_loads() const {
-  return any_load(*this, [](const LoadData<World>&) { return true; });
+  return std::any_of(actors.begin(), actors.end(),
+                     [](const auto& actor) { return actor->calls_user(); });
 }
 
 template <class World>
 bool StepData<World>::is_any_load_failed() const {
-  return any_load(*this, [](const LoadData<World>& load) { return load.thrown != nullptr; });
+  return std::any_of(actors.begin(), actors.end(),
+                     [](const auto& actor) { return actor->has_failed(); });
 }
 
 template <class World>
 void StepData<World>::clear_load_failures() {
-  for (SubsystemData<World>& subsystem : subsystems)
-    for (LoadData<World>& load : subsystem.loads) load.thrown = nullptr;
+  for (const auto& actor : actors) actor->clear_failures();
 }
 
 template class StepData<Plane>;

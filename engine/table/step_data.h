@@ -8,17 +8,18 @@
 #include <cassert>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "engine/table/actor.h"
 #include "engine/table/body_data.h"
 #include "engine/table/control_data.h"
 #include "engine/table/loop_data.h"
 #include "engine/table/part_handles.h"
 #include "engine/table/parts.h"
 #include "engine/table/reading.h"
+#include "engine/table/state_pair.h"
 #include "engine/table/step_table.h"
 
 namespace spoke {
@@ -136,9 +137,8 @@ struct alignas(kInterferenceSize) SubsystemData {
   bool outgrows_cache = false;
   ArenaVector<double> state;   ///< memory of all coordinates and their history
   ArenaVector<double> fields;  ///< memory of the bodies' fields that are no state
-  std::vector<LoadData<World>>
-      loads;  ///< the user's loads that have their first marker's subsystem here
-  std::optional<AirData<World>> air;  ///< if air acts on it; in space
+  std::vector<std::unique_ptr<StatePair>> delayed;  ///< states of actors, see add_states()
+  std::vector<std::span<double>> saved;  ///< what saved states hold of actors, those among it
   /// By body, the sum of the forces that are applied to it and to all that it carries, as the joint
   /// that carries it hands it on, hub frame [N], and at the end that of all that is applied; empty
   /// unless a tension depends on them.
@@ -187,6 +187,24 @@ PartMaker maker_of_body(std::size_t j, const SubsystemData<World>& data) {
   return data.part_maker.of("body " + std::to_string(j + 1));
 }
 
+/// Adds states of an actor that follow the motion with a delay, `count` of them, in equilibrium.
+template <class World>
+StatePair& add_states(const std::string& name, std::size_t count, SubsystemData<World>& data) {
+  StatePair& pair = *data.delayed.emplace_back(std::make_unique<StatePair>());
+  pair.kept = ArenaVector<double>(count + 1, 0.0, *data.arena);
+  pair.reached = ArenaVector<double>(count + 1, 0.0, *data.arena);
+  pair.reached_part = data.part_maker.cover(name + " reached", Mark::none, pair.reached);
+  pair.kept_part = data.part_maker.cover(name, Mark::state, pair.kept);
+  data.saved.push_back(pair.kept);
+  return pair;
+}
+
+/// Keeps the delayed states that the last evaluation has reached.
+template <class World>
+void keep_states(SubsystemData<World>& data) noexcept {
+  for (const auto& pair : data.delayed) pair->keep();
+}
+
 /// Returns the values of the readings of a step in the ring.
 template <class World>
 double* readings_of(SubsystemData<World>& data, std::int64_t step) {
@@ -230,6 +248,7 @@ class StepData final : public StepTable {
   /// Acceleration that the applied forces give the mass centre of a hub that flies, hub frame
   /// [m/s^2].
   PositionOf<World> flight_acceleration = PositionOf<World>::Zero();
+  std::vector<std::unique_ptr<Actor<World>>> actors;  ///< what acts on the bodies
   Parts all_parts;    ///< of this table, in the order of their handles
   SystemParts parts;  ///< those of the system
 

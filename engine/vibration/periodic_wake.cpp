@@ -31,7 +31,7 @@ bool PeriodicWake::acts() const {
 
 void PeriodicWake::hold(std::size_t i, Index l, steady::SteadyModel& model) const {
   if (i < states_.size() && !states_[i].empty())
-    model.hold_air_at(i, states_[i][static_cast<std::size_t>(l)]);
+    model.hold_states_at(i, states_[i][static_cast<std::size_t>(l)]);
 }
 
 /// Takes the air once around from `states` at the last azimuth, or from equilibrium. Returns false
@@ -47,7 +47,7 @@ bool PeriodicWake::turn(std::size_t i, const TurnMotion& motion, const PeriodicS
     steady::SubsystemResponse response;
     model.evaluate(i, {now, rate, now, rate}, model.no_offset(), response);
     if (!response.is_valid) return false;
-    std::vector<double> own = model.advance_air(i, step);
+    std::vector<double> own = model.advance_states(i, step);
     if (own.empty()) {
       states.clear();
       return true;
@@ -68,9 +68,9 @@ bool PeriodicWake::follow(const TurnMotion& motion, const PeriodicSystem& mean,
   for (std::size_t i = 0; i < states_.size(); ++i) {
     States& own = states_[i];
     if (own.size() == parts)
-      model.hold_air_at(i, own[last]);
+      model.hold_states_at(i, own[last]);
     else
-      model.hold_air(i, false);
+      model.hold_states(i, false);
     std::vector<double> before = own.size() == parts ? own[last] : std::vector<double>{};
     for (int turns = 0;; ++turns) {
       if (turns == kMostTurns || !turn(i, motion, mean, equilibrium[i], own, model)) return false;

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/act/user_load/user_loads.h"
 #include "engine/kernels/kinematics.h"
-#include "engine/kernels/load_terms.h"
 #include "engine/run/time_stepper.h"
 #include "engine/simulation/sensors.h"
 #include "engine/step/step_graph_builder.h"
@@ -96,7 +96,7 @@ class Run {
  private:
   const System<Plane>& prepare(const Rotor& rotor, const Method& method, const Loads& loads) {
     make_context(rotor, Formulation::structured, method, context_);
-    place_loads(ask_loads(loads), context_.data);
+    place_loads(ask_loads(loads), context_.system, context_.data);
     std::mt19937 random(21);
     randomize_state(random, context_);
     return context_.system;

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <exception>
 
-#include "engine/kernels/load_terms.h"
+#include "engine/act/user_load/user_loads.h"
 #include "engine/step/step_graph_builder.h"
 #include "graph/declaration_check.h"
 #include "models/error.h"
@@ -212,7 +212,7 @@ TEST_CASE("the nodes of loads declare what they read and write, and show in trac
     Rotor rotor = soft_rotor();
     make_hub(hub, rotor);
     make_context(rotor, Formulation::structured, make_generalized_alpha(0.8, 1e-3), context);
-    place_loads(ask_loads({demanding_load(0), demanding_load(1)}), context.data);
+    place_loads(ask_loads({demanding_load(0), demanding_load(1)}), context.system, context.data);
     std::mt19937 random(3);
     randomize_state(random, context);
     const graph::StepGraph graph = build_step_graph(context);

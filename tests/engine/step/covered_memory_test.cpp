@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "engine/formulation/work.h"
-#include "engine/step/stages.h"
+#include "engine/step/assembly.h"
 #include "engine/step/step_graph_builder.h"
 #include "models/system/spatial_system.h"
 #include "tests/engine/scene/shipped.h"
@@ -83,7 +83,8 @@ std::vector<std::string> find_uncovered(SystemContext<World>& context,
   const bool is_implicit = std::holds_alternative<GeneralizedAlpha>(context.integrator.method);
   allocate(context);
   const graph::StepGraph graph = build_step_graph(context);
-  for (const graph::Node& node : graph.nodes()) CHECK(stages::find(node.label.stage));
+  for (const graph::Node& node : graph.nodes())
+    CHECK(role_of(node.label.stage, context.data) <= StageRole::system);
   const std::vector<Range> covered = covered_by(graph, left_out);
   std::vector<std::string> found;
   for (const int stage : {0, 1, PassControl::kEvaluateOnly}) {

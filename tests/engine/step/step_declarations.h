@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-#include "engine/kernels/load_terms.h"
+#include "engine/act/user_load/user_loads.h"
 #include "engine/step/step_graph_builder.h"
 #include "graph/declaration_check.h"
 #include "tests/engine/step/damaged_graph.h"
@@ -20,7 +20,7 @@ inline void check_step_declarations(const System<Space>& system, Formulation for
   context.formulation = formulation;
   context.integrator = {method, {1e-10, 0, 50}};
   allocate(context);
-  place_loads(ask_loads(loads), context.data);
+  place_loads(ask_loads(loads), context.system, context.data);
   const graph::StepGraph graph = build_step_graph(context, 1);
   CHECK(graph::conflicts_are_ordered(graph));
   const bool is_implicit = method.index() == 0;

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <map>
 
+#include "engine/act/user_load/user_loads.h"
 #include "engine/columns/sensor_columns.h"
-#include "engine/kernels/load_terms.h"
 #include "engine/step/pass_integration.h"
 #include "graph/declaration_check.h"
 #include "tests/engine/load_rotors.h"
@@ -107,7 +107,7 @@ void prepare(const Case& which, SystemContext<Plane>& context) {
   make_context(rotor, which.formulation, which.method, context);
   // An iteration to a tolerance would go on, however often.
   if (which.strain == BeamStrain::nonlinear) context.integrator.limits.fixed = 2;
-  place_loads(asked, context.data);
+  place_loads(asked, context.system, context.data);
   place_sensors(demanding_sensors(), rotor, context.data);
   std::mt19937 random(4);
   randomize_state(random, context);

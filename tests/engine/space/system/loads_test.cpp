@@ -8,7 +8,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "engine/kernels/load_terms.h"
+#include "engine/act/user_load/user_loads.h"
 #include "engine/load.h"
 #include "engine/simulation.h"
 #include "engine/step/step_graph_builder.h"
@@ -172,7 +172,7 @@ TEST_CASE("a node of a load in space declares what it reads and writes") {
     context.integrator = {method, {1e-10, 0, 50}};
     context.loads_tie_subsystems = true;
     allocate(context);
-    place_loads(ask_loads(loads), context.data);
+    place_loads(ask_loads(loads), context.system, context.data);
     const graph::StepGraph graph = build_step_graph(context);
     context.data.progress[0].control.is_implicit = std::holds_alternative<GeneralizedAlpha>(method);
     for (const graph::DeclarationFault& fault : graph::check_declarations(graph))

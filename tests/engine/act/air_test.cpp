@@ -1,8 +1,6 @@
 // Air in the steps of a simulation: laws of mechanics, one state for all ways to make a step, saved
 // states.
 
-#include "engine/kernels/air_terms.h"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/act/air/air_on_blades.h"
 #include "engine/equilibrium.h"
 #include "engine/simulation.h"
 #include "graph/execute/executor_kinds.h"

@@ -1,0 +1,153 @@
+// Asks loads for their markers, and places markers on the bodies of the table.
+
+#include "engine/act/user_load/load_markers.h"
+
+#include <algorithm>
+#include <cassert>
+#include <exception>
+#include <string_view>
+
+#include "models/count_text.h"
+#include "models/error.h"
+#include "models/support/nearest_name.h"
+
+namespace spoke {
+namespace {
+
+std::string name_of(const Load& load) {
+  try {
+    return load.name();
+  } catch (...) {
+    return "(without a name: " + reason_of(std::current_exception()) + ")";
+  }
+}
+
+std::vector<Marker> ask_markers(const Load& load) {
+  try {
+    return load.markers();
+  } catch (...) {
+    std::throw_with_nested(LoadError(
+        called(load) + " does not tell its markers: " + reason_of(std::current_exception())));
+  }
+}
+
+/// Throws InputError unless 0 <= index < count.
+void require_index(const std::string& whose, const char* what, int index, std::size_t count) {
+  if (index >= 0 && static_cast<std::size_t>(index) < count) return;
+  throw InputError(whose + ": " + what + " index " + std::to_string(index) + ", expected " +
+                   range_text(0, static_cast<int>(count) - 1));
+}
+
+// Functions that differ by world.
+
+void require_no_interface(const std::string& whose, const Marker& marker) {
+  if (!marker.interface.empty())
+    throw InputError(whose + ": its interface \"" + marker.interface +
+                     "\" belongs to solids, expected none");
+}
+
+void require_on_beam(const std::string& whose, const Marker& marker) {
+  require_no_interface(whose, marker);
+  if (!marker.point.isZero(0.0))
+    throw InputError(whose + ": its point belongs to rigid bodies, expected a station on a beam");
+  if (!(marker.station >= 0.0 && marker.station <= 1.0))
+    throw InputError(whose + ": station " + std::to_string(marker.station) + ", expected 0 to 1");
+}
+
+plane::Section place_section(const std::string& whose, const Marker& marker,
+                             const BodyData<Plane>& body) {
+  require_on_beam(whose, marker);
+  return make_section(*body.model->body, body.layout, marker.station);
+}
+
+/// Returns the section at the interface of a marker.
+space::Section place_on_solid(const std::string& whose, const Marker& marker,
+                              const space::Solid& solid) {
+  if (marker.station != 0.0 || !marker.point.isZero(0.0))
+    throw InputError(whose + ": its station and its point belong to beams and rigid bodies, " +
+                     "expected the interface of a solid");
+  const space::SolidConstants& constants = *solid.constants;
+  std::vector<std::string_view> names;
+  for (int i = 0; i < constants.interfaces; ++i)
+    names.push_back(constants.places[static_cast<std::size_t>(i)].name);
+  if (marker.interface.empty() && names.size() == 2) return make_solid_section(solid, 1);
+  const auto at = std::find(names.begin(), names.end(), marker.interface);
+  if (at == names.end())
+    throw InputError(whose + ": its interface " + describe_unknown(marker.interface, names));
+  return make_solid_section(solid, static_cast<int>(at - names.begin()));
+}
+
+space::Section place_section(const std::string& whose, const Marker& marker,
+                             const BodyData<Space>& body) {
+  const space::Body& model = *body.model->body;
+  if (const space::FlexibleBody* flexible = model.flexible()) {
+    require_on_beam(whose, marker);
+    const double from = flexible->stations.front(), to = flexible->stations.back();
+    return make_section(*model.beam, *flexible, from + marker.station * (to - from));
+  }
+  if (const space::Solid* solid = model.solid()) return place_on_solid(whose, marker, *solid);
+  require_no_interface(whose, marker);
+  if (marker.station != 0.0)
+    throw InputError(whose + ": its station belongs to beams, expected a point on a rigid body");
+  if (!marker.point.allFinite()) throw InputError(whose + ": its point is not finite");
+  return space::make_rigid_section(marker.point);
+}
+
+}  // namespace
+
+std::string reason_of(const std::exception_ptr& thrown) {
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const std::exception& error) {
+    return error.what();
+  } catch (...) {
+    return "it threw what is no std::exception";
+  }
+}
+
+std::string called(const Load& load) { return "the load \"" + name_of(load) + "\""; }
+
+template <class World>
+PlacedMarker<World> place_marker(const std::string& whose, const Marker& marker,
+                                 const StepData<World>& data) {
+  require_index(whose, "blade", marker.blade, data.subsystems.size());
+  const SubsystemData<World>& subsystem = data.subsystems[static_cast<std::size_t>(marker.blade)];
+  require_index(whose, "body", marker.body, subsystem.bodies.size());
+  const BodyData<World>& body = subsystem.bodies[static_cast<std::size_t>(marker.body)];
+  return {marker.blade, marker.body, place_section(whose, marker, body)};
+}
+
+void require_same_markers(const std::shared_ptr<const Load>& load,
+                          const std::vector<Marker>& given) {
+  if (!load) throw InputError("a load is a null pointer");
+  if (ask_markers(*load) != given)
+    throw InputError(called(*load) + ": its markers are not those of the load that it replaces");
+}
+
+std::vector<AskedLoad> ask_loads(const Loads& loads) {
+  std::vector<AskedLoad> asked;
+  for (const std::shared_ptr<const Load>& load : loads) {
+    if (!load) throw InputError("a load is a null pointer");
+    asked.push_back({load, ask_markers(*load)});
+    if (asked.back().markers.empty())
+      throw InputError(called(*load) + ": it has no marker, expected one or more");
+  }
+  return asked;
+}
+
+bool ties_subsystems(const std::vector<AskedLoad>& loads) noexcept {
+  assert(std::none_of(loads.begin(), loads.end(),
+                      [](const AskedLoad& asked) { return asked.markers.empty(); }));
+  return std::any_of(loads.begin(), loads.end(), [](const AskedLoad& asked) {
+    const int first = asked.markers.front().blade;
+    return std::any_of(asked.markers.begin(), asked.markers.end(),
+                       [first](const Marker& marker) { return marker.blade != first; });
+  });
+}
+
+template PlacedMarker<Plane> place_marker(const std::string&, const Marker&,
+                                          const StepData<Plane>&);
+template PlacedMarker<Space> place_marker(const std::string&, const Marker&,
+                                          const StepData<Space>&);
+
+}  // namespace spoke
