@@ -49,7 +49,8 @@ struct NodeEdge {
 struct TracedGraph {
   std::vector<graph::NodeLabel> labels;   ///< of nodes; their passes are -1
   std::vector<std::string> names;         ///< of nodes: "blade 2 / body 3 / inverse"
-  std::string subsystem_word;             ///< word for a subsystem in names: "blade"
+  std::string subsystem_word;             ///< word for a subsystem: "blade"
+  std::vector<std::string> subsystems;    ///< their names by index, those that begin nodes' names
   std::vector<NodeEdge> edges;            ///< within a pass; from a lower index to a higher one
   std::vector<NodeEdge> next_pass_edges;  ///< from a node of a pass to one of the next pass
 

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <map>
 #include <tuple>
+#include <utility>
 
 #include "graph/structure/depth_first_order.h"
 #include "graph/structure/index_of.h"
@@ -88,8 +89,7 @@ void require_different_names(const std::vector<Part>& parts) {
 // `body_of`: by node the place of its body; nodes that repeat another one share its body, and its
 // label but for the pass, so that few labels are compared.
 void require_different_labels(const std::vector<Node>& nodes,
-                              const std::vector<std::uint32_t>& body_of,
-                              const std::string& subsystem_word) {
+                              const std::vector<std::uint32_t>& body_of, const NodeNames& names) {
   using Task = std::tuple<std::string_view, int, int, std::string_view>;
   std::map<Task, std::uint64_t> numbers;
   std::vector<std::uint64_t> by_body;
@@ -107,8 +107,7 @@ void require_different_labels(const std::vector<Node>& nodes,
       std::adjacent_find(labels.begin(), labels.end(),
                          [](const auto& a, const auto& b) { return a.first == b.first; });
   if (twice != labels.end())
-    throw InputError("two nodes are named \"" +
-                     name_of(nodes[twice->second].label, subsystem_word) +
+    throw InputError("two nodes are named \"" + name_of(nodes[twice->second].label, names) +
                      "\", expected a label for each");
 }
 
@@ -124,15 +123,30 @@ std::vector<std::vector<Access>> accesses_by_part(const StepGraph& graph) {
 
 }  // namespace
 
-std::string name_of(const NodeLabel& label, std::string_view subsystem_word) {
+namespace {
+
+/// Returns a name of a list, or a word with the number.
+std::string named(const std::vector<std::string>& names, std::string_view word, int index) {
+  if (std::cmp_less(index, names.size())) return names[static_cast<std::size_t>(index)];
+  return std::string(word) + " " + std::to_string(index + 1);
+}
+
+}  // namespace
+
+std::string NodeNames::of_subsystem(int subsystem) const {
+  return named(subsystems, word, subsystem);
+}
+
+std::string NodeNames::of_body(int subsystem, int body) const {
+  const bool has_names = subsystem >= 0 && std::cmp_less(subsystem, bodies.size());
+  return named(has_names ? bodies[static_cast<std::size_t>(subsystem)] : std::vector<std::string>{},
+               "body", body);
+}
+
+std::string name_of(const NodeLabel& label, const NodeNames& names) {
   std::string name;
-  if (label.subsystem >= 0) {
-    name.append(subsystem_word).append(" ").append(std::to_string(label.subsystem + 1));
-    name.append(" / ");
-  }
-  if (label.body >= 0) {
-    name.append("body ").append(std::to_string(label.body + 1)).append(" / ");
-  }
+  if (label.subsystem >= 0) name.append(names.of_subsystem(label.subsystem)).append(" / ");
+  if (label.body >= 0) name.append(names.of_body(label.subsystem, label.body)).append(" / ");
   if (!label.item.empty()) name.append(label.item).append(" / ");
   name.append(label.stage);
   if (label.pass >= 0) name.append(" (pass ").append(std::to_string(label.pass + 1)).append(")");
@@ -145,11 +159,16 @@ std::span<const Part> StepGraph::parts() const { return *parts_; }
 std::span<const NodeId> StepGraph::serial_order() const { return serial_order_; }
 
 std::string StepGraph::name_of(NodeId node) const {
-  return graph::name_of(this->node(node).label, subsystem_word_);
+  return graph::name_of(this->node(node).label, *names_);
 }
 
 StepGraphBuilder::StepGraphBuilder(std::string subsystem_word)
-    : subsystem_word_(std::move(subsystem_word)) {}
+    : names_(std::make_shared<const NodeNames>(NodeNames{std::move(subsystem_word), {}, {}})) {}
+
+StepGraphBuilder::StepGraphBuilder(std::shared_ptr<const NodeNames> names)
+    : names_(std::move(names)) {
+  assert(names_);
+}
 
 PartId StepGraphBuilder::add_part(std::string name, std::vector<std::span<std::byte>> memory,
                                   std::size_t record_size) {
@@ -168,7 +187,7 @@ NodeId StepGraphBuilder::add_declared_node(Node node, std::function<void()> body
     sort_unique(*list);
     if (list->empty()) continue;
     if (list->front().index < 0 || list->back().index >= static_cast<int>(parts().size())) {
-      throw InputError("node \"" + name_of(node.label, subsystem_word_) +
+      throw InputError("node \"" + name_of(node.label, *names_) +
                        "\" declares a part that was not added");
     }
   }
@@ -188,8 +207,8 @@ NodeId StepGraphBuilder::repeat_node(NodeId node, int pass) {
 }
 
 StepGraph StepGraphBuilder::build() {
-  require_different_names(parts());
-  require_different_labels(nodes_, body_of_, subsystem_word_);
+  if (!shared_) require_different_names(parts());
+  require_different_labels(nodes_, body_of_, *names_);
   NodeLists predecessors = derive_predecessors(nodes_, parts().size());
   reduce_transitively(predecessors);
 
@@ -204,7 +223,7 @@ StepGraph StepGraphBuilder::build() {
                          : std::make_shared<const std::vector<Part>>(std::exchange(parts_, {}));
   graph.bodies_ = std::exchange(bodies_, {});
   graph.body_of_ = std::exchange(body_of_, {});
-  graph.subsystem_word_ = subsystem_word_;
+  graph.names_ = names_;
   assert(conflicts_are_ordered(graph));
   return graph;
 }

@@ -37,15 +37,25 @@ struct NodeLabel {
   std::string item{};  ///< name of what else of the subsystem it is for; empty: nothing
 };
 
-/// Returns a node's name for people, counted from 1: "subsystem 2 / body 3 / inverse", "subsystem 2
-/// / rod / loop columns" for one of an item, or "hub solve" for a node of no subsystem and no body;
-/// one of several passes ends in " (pass 4)". `subsystem_word` replaces "subsystem".
-SPOKE_EXPORT std::string name_of(const NodeLabel& label,
-                                 std::string_view subsystem_word = "subsystem");
+/// What subsystems and their bodies are called in the names of nodes: by number, counted from 1,
+/// where they have no names.
+struct SPOKE_EXPORT NodeNames {
+  std::string word = "subsystem";                ///< for a subsystem
+  std::vector<std::string> subsystems;           ///< names by index
+  std::vector<std::vector<std::string>> bodies;  ///< names by index, of subsystems by index
+
+  std::string of_subsystem(int subsystem) const;       ///< "front_left", or "subsystem 2"
+  std::string of_body(int subsystem, int body) const;  ///< "upper arm", or "body 3"
+};
+
+/// Returns a node's name for people: "subsystem 2 / body 3 / inverse", "subsystem 2 / rod / loop
+/// columns" for one of an item, or "hub solve" for a node of no subsystem and no body; one of
+/// several passes ends in " (pass 4)".
+SPOKE_EXPORT std::string name_of(const NodeLabel& label, const NodeNames& names = {});
 
 /// A part of the step's data: one or several ranges of memory under one name.
 struct Part {
-  std::string name;                          ///< unique, for people
+  std::string name;                          ///< for people
   std::vector<std::span<std::byte>> memory;  ///< ranges of memory
   std::size_t record_size = 0;  ///< bytes of a record, if each node accesses one of many; 0: all
 };
@@ -91,9 +101,8 @@ class SPOKE_EXPORT StepGraph {
 
   /// Returns the name of the node for people, e.g. "subsystem 2 / body 3 / inverse".
   std::string name_of(NodeId node) const;
-  /// Returns the word for a subsystem in the names of nodes; "subsystem" unless another one was
-  /// given.
-  const std::string& subsystem_word() const { return subsystem_word_; }
+  /// Returns what subsystems and bodies are called in the names of nodes.
+  const std::shared_ptr<const NodeNames>& names() const { return names_; }
 
   /// Runs the body of one node, whose predecessors must have run.
   void run_node(NodeId node) const noexcept {
@@ -112,7 +121,7 @@ class SPOKE_EXPORT StepGraph {
   std::vector<NodeId> serial_order_;
   std::vector<Node> nodes_;
   std::shared_ptr<const std::vector<Part>> parts_;
-  std::string subsystem_word_;
+  std::shared_ptr<const NodeNames> names_;
 };
 
 /// Collects parts and nodes in the order of the algorithm, then builds the graph.
@@ -120,14 +129,16 @@ class SPOKE_EXPORT StepGraphBuilder {
  public:
   /// `subsystem_word`: the word for a subsystem in the names of nodes.
   explicit StepGraphBuilder(std::string subsystem_word = "subsystem");
+  /// `names`: what subsystems and bodies are called, shared with the graphs.
+  explicit StepGraphBuilder(std::shared_ptr<const NodeNames> names);
 
-  /// Adds a part. Its memory must outlive the graph and stay where it is; ranges of different parts
-  /// must not overlap (see bytes_of()). The ranges serve check_declarations(); no edge
-  /// is derived from them. `record_size`: see Part.
+  /// Adds a part, whose name no other one has. Its memory must outlive the graph and stay where it
+  /// is; ranges of different parts must not overlap (see bytes_of()). The ranges serve
+  /// check_declarations(); no edge is derived from them. `record_size`: see Part.
   PartId add_part(std::string name, std::vector<std::span<std::byte>> memory,
                   std::size_t record_size = 0);
   /// Takes parts that graphs share, in the place of parts of its own: their handles are their
-  /// places. Precondition: no part was added, and none will be.
+  /// places, and some may have one name. Precondition: no part was added, and none will be.
   void share_parts(std::shared_ptr<const std::vector<Part>> parts);
 
   /// Adds a node that runs `body`, a copyable, nothrow `void()`. It sees every part as left by the
@@ -155,7 +166,7 @@ class SPOKE_EXPORT StepGraphBuilder {
   NodeId add_declared_node(Node node, std::function<void()> body);
   const std::vector<Part>& parts() const { return shared_ ? *shared_ : parts_; }
 
-  std::string subsystem_word_;
+  std::shared_ptr<const NodeNames> names_;
   std::vector<Part> parts_;
   std::shared_ptr<const std::vector<Part>> shared_;  ///< in their place; null: none
   std::vector<Node> nodes_;

@@ -18,7 +18,7 @@ namespace {
 
 /// Returns a graph of the nodes of one stage, with the parts that they declare.
 graph::StepGraph extract(const graph::StepGraph& whole, std::string_view stage) {
-  graph::StepGraphBuilder builder(whole.subsystem_word());
+  graph::StepGraphBuilder builder(whole.names());
   for (const graph::Part& part : whole.parts())
     builder.add_part(part.name, part.memory, part.record_size);
   for (int k = 0; k < whole.node_count(); ++k) {

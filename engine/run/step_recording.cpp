@@ -278,9 +278,13 @@ void StepRecording::collect(double step_size, StepTrace& trace) const {
 
 TracedGraph describe_graph(const StepGraph& one_pass, const StepGraph& two_passes) {
   TracedGraph graph;
-  graph.subsystem_word = one_pass.subsystem_word();
+  const graph::NodeNames& names = *one_pass.names();
+  graph.subsystem_word = names.word;
   for (int i = 0; i < one_pass.node_count(); ++i) {
-    graph.labels.push_back(one_pass.node({i}).label);
+    const graph::NodeLabel& label = one_pass.node({i}).label;
+    graph.labels.push_back(label);
+    for (int k = static_cast<int>(graph.subsystems.size()); k <= label.subsystem; ++k)
+      graph.subsystems.push_back(names.of_subsystem(k));
     graph.names.push_back(one_pass.name_of({i}));
     for (const NodeId next : one_pass.successors({i})) graph.edges.push_back({i, next.index});
   }

@@ -39,6 +39,7 @@ class ModelOn final : public SimulatedModel {
         loads_(ask_loads(loads)),
         keeps_momentum_(loads.empty() && keeps_momentum(scenario)) {
     context_->loads_tie_subsystems = ties_subsystems(loads_);
+    name_nodes();
     require_memory(system(), formulation);
   }
 
@@ -161,12 +162,20 @@ class ModelOn final : public SimulatedModel {
     return spoke::diagnose(scenario_, *context_, own_.names(), failed);
   }
   FailedLoad find_failed_load(const std::string& at) const override {
-    std::vector<std::string> names;
-    for (const SubsystemNames& own : own_.names()) names.push_back(own.name);
-    return placed_loads_->find_failed(names, at);
+    return placed_loads_->find_failed(data().names->subsystems, at);
   }
 
  private:
+  /// Calls subsystems and bodies as the scenario does in the names of nodes and parts.
+  void name_nodes() {
+    graph::NodeNames names{"blade", {}, {}};
+    for (const SubsystemNames& own : own_.names()) {
+      names.subsystems.push_back(own.name);
+      names.bodies.push_back(own.bodies);
+    }
+    data().names = std::make_shared<const graph::NodeNames>(std::move(names));
+  }
+
   using Own = std::conditional_t<std::is_same_v<World, Plane>, PlanarModel, SpatialModel>;
   using OwnSensors = std::conditional_t<std::is_same_v<World, Plane>, Sensors, SpatialSensors>;
 

@@ -294,7 +294,7 @@ template <class World>
 graph::StepGraph build(SystemContext<World>& c, int passes, const Extent& own) {
   assert(passes >= 1 && own.first >= 0 && own.first <= own.last);
   assert(std::cmp_less_equal(own.last, c.data.subsystems.size()));
-  StepGraphBuilder builder("blade");
+  StepGraphBuilder builder(c.data.names);
   c.data.all_parts.share_with(builder);
   const Assembly<World> g{{builder, step_size(c.integrator), passes > 1 ? 0 : -1}, c};
   if (c.data.is_coupled)

@@ -295,8 +295,7 @@ void allocate(const System<World>& system, const TableOptions& options, StepData
   for (std::size_t i = 0; i < system.subsystems.size(); ++i) {
     SubsystemData<World>& subsystem = data.subsystems[i];
     subsystem.arena = data.arenas.emplace_back(std::make_unique<Arena>()).get();
-    subsystem.part_maker =
-        PartMaker(data.all_parts, static_cast<int>(i), "blade " + std::to_string(i + 1) + " / ");
+    subsystem.part_maker = PartMaker(data.all_parts, static_cast<int>(i), *data.names);
     allocate(system.subsystems[i], options, subsystem);
     for (BodyData<World>& body : subsystem.bodies) {
       body.loads = place_all(body.model->loads, body);

@@ -9,7 +9,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <ranges>
 #include <span>
 #include <string>
 #include <utility>
@@ -83,6 +82,14 @@ class PartMaker {
   /// `owner`: name before those of the parts, with a separator. `parts` must outlive this.
   PartMaker(Parts& parts, int subsystem = -1, std::string owner = {})
       : parts_(&parts), subsystem_(subsystem), owner_(std::move(owner)) {}
+  /// The one of a subsystem; `names` must outlive this.
+  PartMaker(Parts& parts, int subsystem, const graph::NodeNames& names)
+      : parts_(&parts),
+        subsystem_(subsystem),
+        owner_(names.of_subsystem(subsystem) + " / "),
+        names_(&names) {}
+  /// Returns the one of a body of its subsystem.
+  PartMaker of_body(int body) const { return of(names_->of_body(subsystem_, body)); }
   /// Returns the one of an item of the owner's.
   PartMaker of(const std::string& item) const {
     return {*parts_, subsystem_, owner_ + item + " / "};
@@ -121,6 +128,7 @@ class PartMaker {
   Parts* parts_ = nullptr;
   int subsystem_ = -1;
   std::string owner_;
+  const graph::NodeNames* names_ = nullptr;
 };
 
 }  // namespace spoke

@@ -184,7 +184,7 @@ struct alignas(kInterferenceSize) SubsystemData {
 template <class World>
 PartMaker maker_of_body(std::size_t j, const SubsystemData<World>& data) {
   assert(j < data.bodies.size());
-  return data.part_maker.of("body " + std::to_string(j + 1));
+  return data.part_maker.of_body(static_cast<int>(j));
 }
 
 /// Adds states of an actor that follow the motion with a delay, `count` of them, in equilibrium.
@@ -249,6 +249,9 @@ class StepData final : public StepTable {
   /// [m/s^2].
   PositionOf<World> flight_acceleration = PositionOf<World>::Zero();
   std::vector<std::unique_ptr<Actor<World>>> actors;  ///< what acts on the bodies
+  /// What subsystems and bodies are called; set before the table is allocated.
+  std::shared_ptr<const graph::NodeNames> names =
+      std::make_shared<const graph::NodeNames>(graph::NodeNames{"blade", {}, {}});
   Parts all_parts;    ///< of this table, in the order of their handles
   SystemParts parts;  ///< those of the system
 

@@ -76,12 +76,12 @@ Boxes boxes_of_nodes(const TracedGraph& graph) {
   Boxes boxes = group(graph, "node", [](int node) { return node; });
   for (int node = 0; node < graph.node_count(); ++node) {
     const graph::NodeLabel& label = graph.labels[index_of(node)];
-    std::string stage = label.item.empty() ? label.stage : label.item + " / " + label.stage;
-    if (label.body >= 0) stage = fmt::format("body {} / {}", label.body + 1, stage);
-    boxes.all[index_of(node)].label =
-        label.subsystem < 0
-            ? stage
-            : fmt::format("{} {}\n{}", graph.subsystem_word, label.subsystem + 1, stage);
+    const std::string& name = graph.names[index_of(node)];
+    std::string& text = boxes.all[index_of(node)].label;
+    text = name;
+    if (label.subsystem < 0) continue;
+    constexpr std::string_view between = " / ";
+    text.replace(graph.subsystems[index_of(label.subsystem)].size(), between.size(), "\n");
   }
   return boxes;
 }
@@ -127,7 +127,7 @@ Boxes boxes_of_stages(const TracedGraph& graph, bool by_subsystem) {
     const graph::NodeLabel& label = graph.labels[index_of(node)];
     std::string& text = boxes.all[index_of(boxes.of_node[index_of(node)])].label;
     text = by_subsystem && label.subsystem >= 0
-               ? fmt::format("{} {}\n{}", graph.subsystem_word, label.subsystem + 1, label.stage)
+               ? graph.subsystems[index_of(label.subsystem)] + "\n" + label.stage
                : label.stage;
   }
   return boxes;

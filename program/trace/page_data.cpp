@@ -123,6 +123,7 @@ std::string make_description(const Trace& trace) {
                   {"notes", trace.notes},
                   {"machine", describe_machine(trace)},
                   {"subsystem_word", trace.steps.graph.subsystem_word},
+                  {"subsystems", trace.steps.graph.subsystems},
                   {"stages", stages},
                   {"graph", describe_graph(trace.steps.graph, stages)},
                   {"threads", threads},

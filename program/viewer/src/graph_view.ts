@@ -6,6 +6,7 @@ import { Palette, Paint } from './palette';
 import { Recording } from './recording';
 import { Picked, State } from './state';
 import { significant } from './format';
+import { subsystemName } from './trace';
 
 const kHeader = 24;
 const kMargin = 14;
@@ -358,7 +359,7 @@ export class GraphView extends Layers {
       if (lane.subsystem < 0 || x < this.gutter() + 8 || x > this.width - 8) continue;
       const number = String(lane.subsystem + 1);
       const room = Math.max(pitch * every - 4, 8);
-      context.fillText(fitting([`${trace.subsystemWord} ${number}`, number], room, 11.5), x, kHeader / 2 + 2);
+      context.fillText(fitting([subsystemName(trace, lane.subsystem), number], room, 11.5), x, kHeader / 2 + 2);
     }
   }
 

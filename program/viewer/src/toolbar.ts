@@ -3,6 +3,7 @@ import { byId, element } from './dom';
 import { plural, time } from './format';
 import { Palette, swatchStyle } from './palette';
 import { State } from './state';
+import { subsystemName } from './trace';
 
 /** Buttons of which one is pressed. */
 export function fillSwitch(host: HTMLElement, title: string, names: string[], chosen: number, choose: (k: number) => void): void {
@@ -128,8 +129,10 @@ export function showChips(state: State, palette: Palette): void {
   host.classList.add('numbers');
   host.setAttribute('aria-label', `Show only these ${subsystemWord}s`);
   const chips = subsystems.map((k) => {
-    const made = chip(state, state.subsystems, k, String(k + 1), null);
-    made.setAttribute('aria-label', `${subsystemWord} ${k + 1}`);
+    const name = subsystemName(recording.trace, k);
+    const isNumbered = name === `${subsystemWord} ${k + 1}`;
+    const made = chip(state, state.subsystems, k, isNumbered ? String(k + 1) : name, null);
+    made.setAttribute('aria-label', name);
     return made;
   });
   host.replaceChildren(element('span', {}, subsystemWord), ...chips);

@@ -44,6 +44,8 @@ export interface Trace {
   settings: Record<string, unknown>;
   machine: Record<string, unknown>;
   subsystemWord: string;
+  /** Names of subsystems by index. */
+  subsystems: string[];
   stages: string[];
   graph: StepGraph;
   threads: string[];
@@ -52,6 +54,11 @@ export interface Trace {
   /** What else to know of how the steps were made, a sentence each. */
   notes: string[];
   slices: Slices;
+}
+
+/** What a subsystem is called; by its number in files that have no names. */
+export function subsystemName(trace: Trace, subsystem: number): string {
+  return trace.subsystems[subsystem] ?? `${trace.subsystemWord} ${subsystem + 1}`;
 }
 
 export class TraceError extends Error {}
@@ -189,6 +196,7 @@ export function readTrace(data: unknown): Trace {
     settings: objectAt(source, 'settings'),
     machine: (source.machine ?? {}) as Json,
     subsystemWord: textAt(source, 'subsystem_word') || 'subsystem',
+    subsystems: source.subsystems === undefined ? [] : listAt(source, 'subsystems').map(String),
     stages, graph, threads, steps,
     droppedSteps: Number(source.dropped_steps ?? 0),
     notes: source.notes === undefined ? [] : listAt(source, 'notes').map(String),

@@ -12,7 +12,7 @@ export function smallData(slices: Slice[], threads = 2, steps = [1], passes = 1)
   const column = (k: number) => slices.map((slice) => slice[k]);
   return {
     format: 'spoke-trace', version: 1, program: 'Spoke', created: '', scenario: 'small',
-    settings: { executor: 'serial' }, machine: {}, subsystem_word: 'blade', stages: ['a', 'b', 'c'],
+    settings: { executor: 'serial' }, machine: {}, subsystem_word: 'blade', subsystems: ['blade 1', 'blade 2'], stages: ['a', 'b', 'c'],
     graph: {
       stage: [0, 1, 0, 1, 2], subsystem: [0, 0, 1, 1, -1], body: [-1, -1, -1, -1, -1], name: ['a1', 'b1', 'a2', 'b2', 'c'],
       edges: { from: [A1, B1, A2, B2], to: [B1, C, B2, C] },

@@ -27,6 +27,7 @@ TEST_CASE("the page's data tell settings, graph, steps and slices") {
   CHECK(data["notes"] == json::array());
   CHECK(data["machine"]["cores"].get<int>() >= 1);
   CHECK(data["subsystem_word"] == "blade");
+  CHECK(data["subsystems"].front() == "blade 1");
   CHECK(data["threads"] == json({"main", "worker 1"}));
   CHECK(data["stages"].front() == "hub motion");
   REQUIRE(data["steps"].size() == 10);

@@ -55,6 +55,7 @@ Trace small_trace() {
   steps.graph.labels = {{"root"}, {"mass", 0, 0}, {"mass", 0, 1}};
   steps.graph.names = {"root", "blade 1 / body 1 / mass", "blade 1 / body 2 / mass"};
   steps.graph.subsystem_word = "blade";
+  steps.graph.subsystems = {"blade 1"};
   steps.graph.edges = {{0, 1}, {0, 2}};
   steps.graph.next_pass_edges = {{1, 0}, {2, 0}};
   steps.steps = {{7, 3.5, 2}, {8, 4.0, 2}};
