@@ -6,11 +6,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <barrier>
-#include <exception>
 #include <functional>
 #include <string>
-#include <thread>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -22,42 +19,15 @@
 #include "tests/engine/loop_models.h"
 #include "tests/engine/solids/solid_models.h"
 #include "tests/engine/space/system/models.h"
+#include "tests/engine/step/thread_exchange.h"
 
 using namespace spoke;
+using test::on_ranks;
+using test::ThreadExchange;
 
 namespace {
 
 constexpr int kSteps = 70;  // more than a window has
-
-/// Memory that the threads of a test share.
-struct Group {
-  explicit Group(int ranks) : barrier(ranks), count(ranks) {}
-  std::barrier<> barrier;
-  int count;
-  std::vector<std::byte> all;
-};
-
-class ThreadExchange : public Exchange {
- public:
-  ThreadExchange(int rank, Group& group) : rank_(rank), group_(group) {}
-  int rank() const override { return rank_; }
-  int count() const override { return group_.count; }
-  void share(std::span<std::byte> all, std::span<const std::size_t> first) noexcept override {
-    if (rank_ == 0) group_.all.resize(all.size());
-    group_.barrier.arrive_and_wait();
-    const auto own = static_cast<std::size_t>(rank_);
-    std::copy(all.begin() + static_cast<std::ptrdiff_t>(first[own]),
-              all.begin() + static_cast<std::ptrdiff_t>(first[own + 1]),
-              group_.all.begin() + static_cast<std::ptrdiff_t>(first[own]));
-    group_.barrier.arrive_and_wait();
-    std::copy(group_.all.begin(), group_.all.end(), all.begin());
-    group_.barrier.arrive_and_wait();
-  }
-
- private:
-  int rank_;
-  Group& group_;
-};
 
 /// Process number `rank_` of some that say nothing.
 class SilentExchange : public Exchange {
@@ -100,26 +70,6 @@ Shown run(const Scenario& scenario, const SimulationOptions& options) {
   shown.steps = simulation.steps();
   shown.evaluations = simulation.evaluations();
   return shown;
-}
-
-/// Lets each of some processes do something at once. What one throws is thrown.
-void on_ranks(int count, const std::function<void(ThreadExchange&)>& work) {
-  Group group(count);
-  std::vector<std::exception_ptr> thrown(static_cast<std::size_t>(count));
-  std::vector<std::thread> threads;
-  for (int rank = 0; rank < count; ++rank)
-    threads.emplace_back([&, rank] {
-      ThreadExchange exchange(rank, group);
-      try {
-        work(exchange);
-      } catch (...) {
-        thrown[static_cast<std::size_t>(rank)] = std::current_exception();
-        group.barrier.arrive_and_drop();
-      }
-    });
-  for (std::thread& thread : threads) thread.join();
-  for (const std::exception_ptr& error : thrown)
-    if (error) std::rethrow_exception(error);
 }
 
 std::vector<Shown> run_shared(const Scenario& scenario, SimulationOptions options, int count) {

@@ -14,6 +14,7 @@
 #include "engine/step/assembly.h"
 #include "engine/step/step_graph_builder.h"
 #include "models/system/spatial_system.h"
+#include "tests/engine/laws/zoo.h"
 #include "tests/engine/scene/shipped.h"
 #include "tests/engine/step/damaged_graph.h"
 
@@ -128,16 +129,10 @@ void check_covered(const System<World>& system) {
 
 }  // namespace
 
-TEST_CASE("nodes change no memory but that of parts") {
-  for (const char* name :
-       {"wu_haug_rotor", "four_bar", "andrews_squeezer", "articulated_rotor", "bricard",
-        "helicopter_rotor", "nrel_5mw_in_wind", "satellite_booms", "solid_blade_rotor"}) {
-    CAPTURE(name);
-    const Scenario scenario = read_shipped(name);
-    if (scenario.space)
-      check_covered(make_system(*scenario.space));
-    else
-      check_covered(make_system(scenario.rotor));
+TEST_CASE("nodes of every model change no memory but that of parts") {
+  for (const ZooModel& model : list_zoo()) {
+    CAPTURE(model.name);
+    on_system(model.read(1), [](const auto& system, double) { check_covered(system); });
   }
 }
 

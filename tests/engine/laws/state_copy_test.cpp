@@ -16,7 +16,7 @@
 #include "engine/table/state_values.h"
 #include "graph/executor.h"
 #include "models/system/spatial_system.h"
-#include "tests/engine/scene/shipped.h"
+#include "tests/engine/laws/zoo.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -78,14 +78,9 @@ void check_copies(const System<World>& system, double step) {
 
 }  // namespace
 
-TEST_CASE("steps from a state that is set back need nothing else of the table") {
-  for (const char* name : {"wu_haug_rotor", "four_bar", "andrews_squeezer", "articulated_rotor",
-                           "helicopter_on_gear", "nrel_5mw_in_wind", "satellite_booms"}) {
-    CAPTURE(name);
-    const Scenario scenario = read_shipped(name);
-    if (scenario.space)
-      check_copies(make_system(*scenario.space), scenario.integration.step);
-    else
-      check_copies(make_system(scenario.rotor), scenario.integration.step);
+TEST_CASE("steps of every model from a state that is set back need nothing else of the table") {
+  for (const ZooModel& model : list_zoo()) {
+    CAPTURE(model.name);
+    on_system(model.read(1), [](const auto& system, double step) { check_copies(system, step); });
   }
 }

@@ -1,0 +1,60 @@
+// Finds the shipped scenarios, and adds variations.
+
+#include "tests/engine/laws/zoo.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "tests/engine/scene/shipped.h"
+
+namespace spoke::test {
+namespace {
+
+/// Gives solids the coordinates of all nodes.
+void make_nodal(Scenario& scenario) {
+  for (spatial::Subsystem& subsystem : scenario.space->subsystems)
+    for (spatial::Body& body : subsystem.bodies)
+      if (auto* solid = std::get_if<spatial::SolidBody>(&body.shape)) {
+        solid->coordinates = spatial::SolidCoordinates::nodal;
+        solid->modes.reset();
+        solid->damping.clear();
+      }
+}
+
+}  // namespace
+
+Scenario ZooModel::read(int steps) const {
+  Scenario scenario = read_shipped(file);
+  if (vary) vary(scenario);
+  scenario.integration.duration = steps * scenario.integration.step;
+  return scenario;
+}
+
+std::vector<ZooModel> list_zoo() {
+  std::vector<ZooModel> zoo{
+      {"articulated_rotor, hub by a torque", "articulated_rotor",
+       [](Scenario& s) { s.space->hub.drive = TorqueDrive{Curve(1000.0)}; }},
+      {"free_hub_satellite, strains of second order", "free_hub_satellite",
+       [](Scenario& s) {
+         for (Blade& blade : s.rotor.blades) blade.strain = BeamStrain::nonlinear;
+       }},
+      {"solid_blade_rotor, nodal", "solid_blade_rotor", make_nodal},
+      {"wu_haug_rotor, free hub", "wu_haug_rotor",
+       [](Scenario& s) {
+         s.rotor.hub.support = HubSupport::free;
+         s.rotor.hub.mass = 5.0;
+         s.rotor.hub.inertia = 1.0;
+         s.rotor.hub.drive = FreeDrive{};
+       }},
+  };
+  for (const auto& entry : std::filesystem::directory_iterator(SPOKE_MODELS_DIR)) {
+    const std::string name = entry.path().stem().string();
+    if (entry.path().extension() == ".toml" && name != "large_rotor")
+      zoo.push_back({name, name, {}});
+  }
+  std::sort(zoo.begin(), zoo.end(),
+            [](const ZooModel& a, const ZooModel& b) { return a.name < b.name; });
+  return zoo;
+}
+
+}  // namespace spoke::test
