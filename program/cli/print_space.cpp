@@ -198,12 +198,27 @@ MassProperties seen_from_root(const Tree& tree) {
       {begin - back * first.placement.position, back});
 }
 
-void print_sizes(const std::vector<Tree>& trees) {
-  std::int64_t bodies = 0, coordinates = 0;
+/// Returns the coordinates of a tree that are prescribed.
+std::int64_t count_prescribed(const Tree& tree) {
+  std::int64_t count = 0;
+  for (const TreeBody& body : tree.bodies)
+    for (int c = 0; c < count_coordinates(body.joint.kind); ++c)
+      count += body.joint.coordinates[static_cast<std::size_t>(c)].motion.has_value();
+  return count;
+}
+
+/// Returns the free coordinates of a hub, or of what its support stands on.
+std::int64_t count_free(const spatial::Model& model) {
+  if (model.hub.support == HubSupport::free) return 6;
+  return model.support || prescribes_motion(model.hub.drive) ? 0 : 1;
+}
+
+void print_sizes(const spatial::Model& model, const std::vector<Tree>& trees) {
+  std::int64_t bodies = 0, coordinates = count_free(model);
   bool are_most = false, have_further = false;
   for (const Tree& tree : trees) {
     bodies += std::ssize(tree.bodies);
-    coordinates += count_coordinates(tree);
+    coordinates += count_coordinates(tree) - count_prescribed(tree);
     for (const TreeBody& body : tree.bodies) {
       const auto* solid = std::get_if<spatial::SolidPart>(&body.shape);
       if (!solid || solid->body().coordinates != spatial::SolidCoordinates::reduced) continue;
@@ -240,7 +255,7 @@ void print_space(const spatial::Model& model) {
   const bool has_support = model.support.has_value();
   const std::string ground =
       has_support ? "the " + std::string(base_name(model.support->from)) : "";
-  print_sizes(trees);
+  print_sizes(model, trees);
   std::vector<std::string> before;
   std::string example;
   for (const Tree& tree : trees) {

@@ -16,7 +16,7 @@ TEST_CASE("check prints the tree of a model in space, and its mass") {
   CHECK(ended.status == 0);
   CHECK(ended.err.empty());
   for (const char* part :
-       {"Articulated rotor with cyclic pitch\n", "in space, 4 trees, 24 bodies, 588 coordinates\n",
+       {"Articulated rotor with cyclic pitch\n", "in space, 4 trees, 24 bodies, 584 coordinates\n",
         "  blade 1         body 1 (beam, 0 to 0.3 m, 4 elements, nonlinear strains), on the hub: "
         "fixed\n",
         "                    body 2 (beam, 0.3 to 0.4 m, 4 elements, nonlinear strains), on body 1 "
@@ -31,6 +31,25 @@ TEST_CASE("check prints the tree of a model in space, and its mass") {
     CHECK(ended.out.find(part) != std::string::npos);
   }
   CHECK(folder.entries() == 0);
+}
+
+TEST_CASE("check counts the coordinates that a run has") {
+  const WorkFolder folder;
+  const auto count_of = [&folder](std::vector<std::string> arguments) {
+    const Ended ended = run_spoke(arguments, folder);
+    REQUIRE(ended.status == 0);
+    const std::size_t end = ended.out.find(" coordinates");
+    REQUIRE(end != std::string::npos);
+    const std::size_t begin = ended.out.rfind(' ', end - 1) + 1;
+    return ended.out.substr(begin, end - begin);
+  };
+  // A prescribed pitch, a hub driven by a torque, free ones, supports.
+  for (const char* model : {"articulated_rotor", "vehicle", "nrel_5mw_turbine", "satellite_booms",
+                            "helicopter_on_gear", "ground_resonance", "tree_of_bodies"}) {
+    CAPTURE(model);
+    CHECK(count_of({"check", shipped(model)}) ==
+          count_of({"trace", shipped(model), "--steps", "1", "--out", "trace"}));
+  }
 }
 
 TEST_CASE("check prints the controller of pitch, which overrides may give a model") {
