@@ -35,6 +35,8 @@ class SPOKE_EXPORT WindField {
   /// Returns the time up to which the wind is known [s]; it does not change afterwards. By default
   /// there is no end.
   virtual double end() const { return std::numeric_limits<double>::infinity(); }
+  /// Returns the memory that the wind takes [bytes], about. By default none.
+  virtual double memory() const { return 0.0; }
 };
 
 /// The shape of a gust over its duration T, amplitude A: with s the share of T that is over.

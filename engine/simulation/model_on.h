@@ -81,7 +81,8 @@ class ModelOn final : public SimulatedModel {
     return extent;
   }
   double memory_bytes() const override {
-    return estimate_model_memory(system(), context_->formulation) + own_.reading_bytes();
+    const double wind = system().wind ? system().wind->memory() : 0.0;
+    return estimate_model_memory(system(), context_->formulation) + own_.reading_bytes() + wind;
   }
   std::size_t count_state() override { return count_state_values(data()); }
   std::uint64_t hash() const override { return hash_state(data()); }

@@ -26,6 +26,7 @@ class HubWind final : public WindField {
   Eigen::Vector3d velocity(const Eigen::Vector3d& place, double t) const override {
     return course_.at(t) * profile(place, t);
   }
+  double memory() const override { return replaced_ ? replaced_->memory() : 0.0; }
   /// Returns a wind with another course at the same hub.
   std::shared_ptr<const WindField> with(const WindCourse& course) const;
   const std::shared_ptr<const WindField>& replaced() const { return replaced_; }

@@ -56,6 +56,10 @@ class DescribedWind final : public WindField {
   }
 
   double end() const override { return box_ ? box_->end() : WindField::end(); }
+  double memory() const override {
+    const std::size_t values = box_ ? box_->values.size() : 0;
+    return static_cast<double>(values * sizeof(float));
+  }
 
  private:
   Vector3d in_box(const WindBox& box, const Vector3d& place, double t) const {

@@ -144,7 +144,7 @@ report::FactGroup spatial_facts(const Simulation& simulation) {
        {"joints", std::to_string(size.joints)},
        {"hub", describe_hub(simulation.scenario())},
        {"step graph", counted(size.graph_nodes, "node") + ", " + counted(size.graph_edges, "edge")},
-       {"memory of a step", fmt::format("{} kB", (size.memory_bytes + 999) / 1000)}}};
+       {"memory of the model", fmt::format("{} kB", (size.memory_bytes + 999) / 1000)}}};
 }
 
 report::FactGroup model_facts(const Simulation& simulation) {
@@ -160,7 +160,7 @@ report::FactGroup model_facts(const Simulation& simulation) {
               {"hub", describe_hub(simulation.scenario())},
               {"step graph",
                counted(size.graph_nodes, "node") + ", " + counted(size.graph_edges, "edge")},
-              {"memory of a step", fmt::format("{} kB", (size.memory_bytes + 999) / 1000)}}});
+              {"memory of the model", fmt::format("{} kB", (size.memory_bytes + 999) / 1000)}}});
 }
 
 /// Describes the iterations of generalized_alpha in a step.

@@ -69,6 +69,23 @@ TEST_CASE("check prints the controller of pitch, which overrides may give a mode
         std::string::npos);
 }
 
+TEST_CASE("the memory that check tells has the box of turbulence") {
+  const WorkFolder folder;
+  const auto megabytes = [&folder](const std::string& duration) {
+    const Ended ended = run_spoke({"check", shipped("nrel_5mw_in_wind"), "--set", "initial={}",
+                                   "--set", "wind.turbulence.duration=" + duration},
+                                  folder);
+    REQUIRE(ended.status == 0);
+    const std::string before = "  memory          about ";
+    const std::size_t at = ended.out.find(before);
+    REQUIRE(at != std::string::npos);
+    return std::stod(ended.out.substr(at + before.size()));
+  };
+  const double one = megabytes("20"), two = megabytes("40");
+  CHECK(one > 0.6);
+  CHECK(two > 1.5 * one);
+}
+
 TEST_CASE("check prints air, wind, stations and aerofoils") {
   const WorkFolder folder;
   const Ended ended =
