@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -153,6 +154,8 @@ void BladeAir::evaluate(const RotorPlace& rotor, std::span<const MarkerMotion> s
                         std::span<const Vector3d> wind, double elapsed, const double* before,
                         double* after, std::span<Wrench> out, std::span<StationAir> seen,
                         bool held) const noexcept {
+  assert(sections.size() == count() && wind.size() == count() && out.size() == count());
+  assert((seen.empty() || seen.size() == count()) && !(elapsed < 0.0));
   const WindAgainstHub hub(rotor);
   const Advance advance(elapsed);
   for (std::size_t i = 0; i < stations_.size(); ++i) {

@@ -3,6 +3,7 @@
 #include "engine/air/inflow.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -18,6 +19,7 @@ InflowState rest_inflow(double steady) noexcept { return {(1.0 - kDirectShare) *
 
 InflowState advance_inflow(InflowState state, double begin, double end, double turns,
                            double ratio) noexcept {
+  assert(!(turns < 0.0) && ratio < 1.0);
   constexpr double rest = 1.0 - kDirectShare;
   const double fast = turns / ratio;
   const double decay = std::exp(-turns), fast_decay = std::exp(-fast);
@@ -33,6 +35,7 @@ InflowState advance_inflow(InflowState state, double begin, double end, double t
 
 double calc_inflow_rate(double axial, double in_plane, double steady, double induced,
                         double radius) noexcept {
+  assert(radius > 0.0);
   constexpr double least = 1e-3;  // m/s: in still air
   constexpr double share = 1.3;   // of induced velocity in the speed of the wake
   constexpr double high = 0.35;   // 1 - 1.3 a at a = 0.5
@@ -52,6 +55,7 @@ double calc_skew_factor(double through, double in_plane, double downstream,
 }
 
 double advance_filter(double state, double begin, double end, double turns) noexcept {
+  assert(!(turns < 0.0));
   return end + (state - begin) * std::exp(-turns) - (end - begin) * mean_decay(turns);
 }
 
