@@ -23,9 +23,13 @@ struct Reads {
   std::vector<PartId> parts;  ///< in any order
 };
 
-/// The parts a node writes. writes() makes it. A part that is read as well is updated in place; one
-/// that is only written must be written in full.
+/// The parts a node writes. writes() makes it. A part that is only written must be written in full.
 struct Writes {
+  std::vector<PartId> parts;  ///< in any order
+};
+
+/// The parts a node updates in place: it reads and writes them. updates() makes it.
+struct Updates {
   std::vector<PartId> parts;  ///< in any order
 };
 
@@ -78,6 +82,13 @@ Reads reads(const Parts&... parts) {
 /// mixed.
 template <class... Parts>
 Writes writes(const Parts&... parts) {
+  return {detail::joined(parts...)};
+}
+
+/// Declares the parts that a node updates in place: single parts and ranges of parts (vector,
+/// array, span), mixed.
+template <class... Parts>
+Updates updates(const Parts&... parts) {
   return {detail::joined(parts...)};
 }
 

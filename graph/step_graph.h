@@ -52,6 +52,10 @@ struct SPOKE_EXPORT NodeNames {
 /// columns" for one of an item, or "hub solve" for a node of no subsystem and no body; one of
 /// several passes ends in " (pass 4)".
 SPOKE_EXPORT std::string name_of(const NodeLabel& label, const NodeNames& names = {});
+/// Returns it with another word for a subsystem.
+inline std::string name_of(const NodeLabel& label, std::string_view subsystem_word) {
+  return name_of(label, NodeNames{std::string(subsystem_word), {}, {}});
+}
 
 /// A part of the step's data: one or several ranges of memory under one name.
 struct Part {
@@ -60,8 +64,8 @@ struct Part {
   std::size_t record_size = 0;  ///< bytes of a record, if each node accesses one of many; 0: all
 };
 
-/// A node as it was declared. `reads` and `writes` are sorted and free of repetitions; a part in
-/// both is updated in place.
+/// A node as it was declared. `reads` and `writes` are sorted and free of repetitions; a part that
+/// is updated in place is in both.
 struct Node {
   NodeLabel label;             ///< its coordinates
   std::vector<PartId> reads;   ///< parts that it needs
@@ -101,6 +105,8 @@ class SPOKE_EXPORT StepGraph {
 
   /// Returns the name of the node for people, e.g. "subsystem 2 / body 3 / inverse".
   std::string name_of(NodeId node) const;
+  /// Returns the word for a subsystem in the names of nodes that have no name of their own.
+  const std::string& subsystem_word() const { return names_->word; }
   /// Returns what subsystems and bodies are called in the names of nodes.
   const std::shared_ptr<const NodeNames>& names() const { return names_; }
 
@@ -149,6 +155,20 @@ class SPOKE_EXPORT StepGraphBuilder {
                   "the body of a node takes no argument and is noexcept");
     return add_declared_node({std::move(label), std::move(reads.parts), std::move(writes.parts)},
                              std::forward<Body>(body));
+  }
+
+  /// Adds a node that updates parts in place, and writes others or none.
+  template <class Body>
+  NodeId add_node(NodeLabel label, Reads reads, Updates updates, Writes writes, Body&& body) {
+    add_to(reads.parts, updates.parts);
+    add_to(writes.parts, updates.parts);
+    return add_node(std::move(label), std::move(reads), std::move(writes),
+                    std::forward<Body>(body));
+  }
+  template <class Body>
+  NodeId add_node(NodeLabel label, Reads reads, Updates updates, Body&& body) {
+    return add_node(std::move(label), std::move(reads), std::move(updates), Writes{},
+                    std::forward<Body>(body));
   }
 
   /// Adds a node that repeats `node` in pass `pass`: with its body, declaration and label except

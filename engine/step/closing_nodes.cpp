@@ -18,7 +18,7 @@ namespace {
 
 using graph::PartId;
 using graph::reads;
-using graph::writes;
+using graph::updates;
 
 /// Returns the parts that keeping the loads of the joints reads.
 template <class World>
@@ -121,9 +121,9 @@ void add_finish(const Assembly<World>& g) {
   if (is_corrected) outputs.push_back(parts.hub_state);
   g.builder.add_node(
       g.label(stages::kFinish),
-      reads(outputs, supports, reports, all_of(g, &BodyParts::report), all_of(g, &BodyParts::power),
+      reads(supports, reports, all_of(g, &BodyParts::report), all_of(g, &BodyParts::power),
             parts.hub_solution, parts.hub_state, parts.hub_coordinates),
-      writes(outputs), [&c, is_corrected]() noexcept {
+      updates(outputs), [&c, is_corrected]() noexcept {
         StepProgress& progress = c.data.progress[0];
         if (progress.is_halted) {
           progress.completed = StepProgress::kNone;
@@ -150,9 +150,9 @@ void add_subsystem_finish(const Assembly<World>& g, int i) {
   if (!own.loops.is_empty()) reports.push_back(own.loops.report);
   add_states(data, reports, states);
   g.builder.add_node(g.label(stages::kFinish, i),
-                     reads(reports, states, own.progress, own.all(&BodyParts::report),
-                           own.all(&BodyParts::power), own.effective, own.hub_state, own.records),
-                     writes(own.progress, own.records, states),
+                     reads(reports, own.all(&BodyParts::report), own.all(&BodyParts::power),
+                           own.effective, own.hub_state),
+                     updates(own.progress, own.records, states),
                      [&hub = g.c.system.hub, &integrator, &window, &data]() noexcept {
                        if (data.progress->is_halted)
                          data.progress->completed = StepProgress::kNone;
@@ -179,8 +179,8 @@ void add_sensors(const Assembly<World>& g, int i) {
   if (is_corrected) graph::add_to(outputs, inputs);
   g.builder.add_node(g.label(stages::kSensors, i),
                      reads(own.progress, own.all(&BodyParts::coordinates), own.hub_state, inputs,
-                           joint_load_inputs(g, i), reading_inputs(g, i), shown, outputs),
-                     writes(outputs), [&c, &table, &data, i, is_corrected]() noexcept {
+                           joint_load_inputs(g, i), reading_inputs(g, i), shown),
+                     updates(outputs), [&c, &table, &data, i, is_corrected]() noexcept {
                        const std::int64_t step = data.progress->completed;
                        if (step < 0) return;
                        const auto index = static_cast<std::size_t>(i);

@@ -10,6 +10,7 @@ namespace {
 
 using graph::PartId;
 using graph::reads;
+using graph::updates;
 using graph::writes;
 
 /// Returns how much of springs and closures a pass leaves to the unknown accelerations.
@@ -131,10 +132,10 @@ void add_loop_factor(const Assembly<World>& g, int i) {
   for (std::size_t k = 0; k < subsystem.loops.size(); ++k) add_columns(g, i, k);
   PartList inputs = factor_inputs(g, i);
   graph::add_to(inputs, own.loops.columns);
-  inputs.push_back(own.loops.first_pivots);  // they stay but at the start
   const auto add_node = [&](auto fill) {
     g.builder.add_node(g.label(stages::kLoopFactor, i), reads(inputs),
-                       writes(own.loops.factor, own.loops.first_pivots, own.effective),
+                       updates(own.loops.first_pivots),  // they stay but at the start
+                       writes(own.loops.factor, own.effective),
                        unless_halted(*data.progress, [fill, &data]() noexcept {
                          fill();
                          factorise_loops(data);

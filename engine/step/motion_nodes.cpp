@@ -20,6 +20,7 @@ namespace {
 
 using graph::PartId;
 using graph::reads;
+using graph::updates;
 using graph::writes;
 
 /// Returns a part of the bodies, coordinates or accelerations, that the kinematics of a subsystem
@@ -47,9 +48,8 @@ void add_hub_motion(const Assembly<World>& g) {
   SystemContext<World>& c = g.c;
   const SystemParts& parts = g.parts();
   g.builder.add_node(g.label(c.system.rotors.empty() ? stages::kHubMotion : stages::kSupportMotion),
-                     reads(parts.progress, parts.hub_coordinates, parts.hub_history),
-                     writes(parts.hub_coordinates, parts.hub_history, parts.hub_state),
-                     unless_halted(c.data.progress[0], [&c]() noexcept {
+                     reads(parts.progress), updates(parts.hub_coordinates, parts.hub_history),
+                     writes(parts.hub_state), unless_halted(c.data.progress[0], [&c]() noexcept {
                        begin_hub(c.system, c.integrator.method, c.data);
                      }));
 }
@@ -67,8 +67,8 @@ void add_rotor_motion(const Assembly<World>& g, int r) {
   StepProgress& progress = c.data.progress[0];
   g.builder.add_node(
       g.label(stages::kHubMotion),
-      reads(g.parts().progress, support.rotations, support.twists, support.hub_state, inputs, hub),
-      writes(hub), unless_halted(progress, [&c, &progress, index]() noexcept {
+      reads(g.parts().progress, support.rotations, support.twists, support.hub_state, inputs),
+      updates(hub), unless_halted(progress, [&c, &progress, index]() noexcept {
         place_rotor(c.system, index, progress.control.time, progress.control.is_implicit, c.data);
       }));
 }
@@ -80,7 +80,7 @@ void add_prescribed_hub_motion(const Assembly<World>& g, int i) {
   const SystemContext<World>& c = g.c;
   PrescribedHub<World>& prescribed = g.c.data.subsystems[i].prescribed;
   g.builder.add_node(
-      g.label(stages::kHubMotion, i), reads(own.progress, own.hub_state), writes(own.hub_state),
+      g.label(stages::kHubMotion, i), reads(own.progress), updates(own.hub_state),
       unless_halted(*data.progress, [&c, &prescribed, &progress = *data.progress]() noexcept {
         if (is_at_new_time(c.integrator.method, progress.control))
           prescribed = calc_prescribed_motion(c.system, progress.control.time);
@@ -98,8 +98,8 @@ void add_coordinates(const Assembly<World>& g, int i) {
   if (std::holds_alternative<GeneralizedAlpha>(method)) predicted = accelerations;
   SubsystemData<World>& data = g.c.data.subsystems[i];
   g.builder.add_node(
-      g.label(stages::kCoordinates, i), reads(own.progress, coordinates, history, accelerations),
-      writes(coordinates, history, predicted),
+      g.label(stages::kCoordinates, i), reads(own.progress, accelerations),
+      updates(coordinates, history), writes(predicted),
       unless_halted(*data.progress, [&method, &data]() noexcept { begin_bodies(method, data); }));
 }
 
@@ -107,11 +107,12 @@ template <class World>
 void add_position(const Assembly<World>& g, int i) {
   const Subsystem<World>& subsystem = g.c.system.subsystems[i];
   SubsystemData<World>& data = g.c.data.subsystems[i];
-  PartList inputs = chain_parts(g, i, &BodyParts::coordinates);
-  if constexpr (tree::kHasJointCoordinates<World>)
-    inputs.push_back(g.subsystem(i).rotations);  // the node sets the handles, too
-  g.builder.add_node(g.label(stages::kPosition, i), reads(g.subsystem(i).progress, inputs),
-                     writes(g.subsystem(i).rotations),
+  const SubsystemParts& own = g.subsystem(i);
+  PartList handles;
+  if constexpr (tree::kHasJointCoordinates<World>) handles.push_back(own.rotations);
+  g.builder.add_node(g.label(stages::kPosition, i),
+                     reads(own.progress, chain_parts(g, i, &BodyParts::coordinates)),
+                     updates(handles), writes(own.rotations),
                      unless_halted(*data.progress, [&subsystem, &data]() noexcept {
                        calc_rotations(subsystem, data);
                      }));

@@ -17,6 +17,7 @@ namespace {
 
 using graph::PartId;
 using graph::reads;
+using graph::updates;
 using graph::writes;
 
 /// Whether condensing a body clears rows of its terms: those of coordinates that a chord frame
@@ -91,9 +92,8 @@ void add_recovery_between(const Assembly<World>& g, int i, int j) {
   auto& work = g.c.work.structured[i].bodies[j];
   g.builder.add_node(
       g.label(stages::kRecovery, i, j),
-      reads(own.progress, own.wrenches, own.rotations, body.inverse, body.accelerations),
-      writes(body.accelerations, body.solution.back()),
-      unless_halted(*data.progress, [&data, j, &work]() noexcept {
+      reads(own.progress, own.wrenches, own.rotations, body.inverse), updates(body.accelerations),
+      writes(body.solution.back()), unless_halted(*data.progress, [&data, j, &work]() noexcept {
         BodyData<World>& member = data.bodies[j];
         structured::recover_body(data, static_cast<std::size_t>(j), work,
                                  data.progress->control.is_implicit, member, member.a_found);
@@ -170,8 +170,8 @@ void add_rotor_sum(const Assembly<World>& g, int r) {
     if (!is_condensed)
       for (const PartId terms : own.all(&BodyParts::terms)) inputs.push_back(terms);
   }
-  g.builder.add_node(g.label(stages::kRotorSum), reads(inputs, g.parts().rotors[index].carried),
-                     writes(g.parts().rotors[index].carried),
+  g.builder.add_node(g.label(stages::kRotorSum), reads(inputs),
+                     updates(g.parts().rotors[index].carried),
                      unless_halted(c.data.progress[0], [&c, index, is_condensed]() noexcept {
                        sum_rotor(c.system, index, is_condensed, c.data);
                      }));

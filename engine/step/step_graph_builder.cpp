@@ -61,6 +61,7 @@ namespace {
 using graph::PartId;
 using graph::reads;
 using graph::StepGraphBuilder;
+using graph::updates;
 using graph::writes;
 
 /// Returns the parts that a body's terms read: only those on which its options make them depend.
@@ -143,23 +144,18 @@ void add_mass(const Assembly<World>& g, int i, int j) {
   const SystemContext<World>& c = g.c;
   SubsystemData<World>& data = g.c.data.subsystems[i];
   const BodyParts& parts = g.subsystem(i).bodies[j];
-  PartList outputs{parts.terms, parts.power};
   PartList inputs = terms_inputs(g, i, j);
   add_mass_tiles(g, i, j, inputs);
-  // Loads add to the rows of tiles.
-  if (is_tiled(data.bodies[j])) graph::add_to(inputs, parts.tiles);
-  graph::add_to(outputs, parts.tiles);
-  for (const PartId tension : graph::maybe(parts.tension)) {
-    inputs.push_back(tension);  // it stays while the speed does
-    outputs.push_back(tension);
-    if constexpr (tree::kHasJointCoordinates<World>)
-      inputs.push_back(g.subsystem(i).rotations);  // for the frames' angular accelerations
-  }
+  // Loads add to the rows of tiles; tension stays while the speed does.
+  PartList changed = parts.tiles;
+  graph::add_to(changed, graph::maybe(parts.tension));
   if constexpr (tree::kHasJointCoordinates<World>) {
-    inputs.push_back(parts.scratch);  // not all of it is overwritten
-    outputs.push_back(parts.scratch);
+    if (parts.tension.index >= 0)
+      inputs.push_back(g.subsystem(i).rotations);  // for the frames' angular accelerations
+    changed.push_back(parts.scratch);              // not all of it is overwritten
   }
-  g.builder.add_node(g.label(stages::kMass, i, j), reads(inputs), writes(outputs),
+  g.builder.add_node(g.label(stages::kMass, i, j), reads(inputs), updates(changed),
+                     writes(parts.terms, parts.power),
                      unless_halted(*data.progress, [&c, &data, i, j]() noexcept {
                        fetch_for_terms(data, static_cast<std::size_t>(j));
                        calc_mass_terms(c, i, j, data);
@@ -176,7 +172,7 @@ void add_mass(const Assembly<World>& g, int i, int j) {
 template <class World>
 void add_share(const Assembly<World>& g, const char* stage, const PartList& parts,
                SharedPlaces& places, const PartList& behind = {}) {
-  g.builder.add_node(g.label(stage), reads(g.parts().progress, parts, behind), writes(parts),
+  g.builder.add_node(g.label(stage), reads(g.parts().progress, behind), updates(parts),
                      unless_halted(g.c.data.progress[0], [&places]() noexcept { places.share(); }));
 }
 

@@ -130,6 +130,27 @@ TEST_CASE("updates in place form a chain, and chains of different parts are inde
   CHECK(indices(graph.successors({1})) == List{3});
 }
 
+TEST_CASE("what a node updates in place it reads and writes") {
+  StepGraphBuilder builder;
+  const PartId a = builder.add_part("a", {}), b = builder.add_part("b", {}),
+               c = builder.add_part("c", {});
+  builder.add_node({"first"}, reads(a), updates(b, c), nothing);
+  builder.add_node({"second"}, reads(b), updates(a), writes(c), nothing);
+  const StepGraph graph = builder.build();
+  CHECK(graph.node({0}).reads == std::vector{a, b, c});
+  CHECK(graph.node({0}).writes == std::vector{b, c});
+  CHECK(graph.node({1}).reads == std::vector{a, b});
+  CHECK(graph.node({1}).writes == std::vector{a, c});
+}
+
+TEST_CASE("subsystems and bodies that have names are called by them") {
+  const NodeNames names{"blade", {"front", "rear"}, {{"upper arm", "wheel"}}};
+  CHECK(name_of({"mass", 0, 1}, names) == "front / wheel / mass");
+  CHECK(name_of({"mass", 1, 1}, names) == "rear / body 2 / mass");
+  CHECK(name_of({"mass", 2, 0}, names) == "blade 3 / body 1 / mass");
+  CHECK(name_of({"finish"}, names) == "finish");
+}
+
 TEST_CASE("declarations mix parts and ranges of parts, sorted and without repetitions") {
   StepGraphBuilder builder;
   const PartId x = builder.add_part("x", {});

@@ -103,9 +103,8 @@ void AirOnBlades::add_nodes(const PassNodes& pass, PassPlace place, int i) const
   const StepProgress& progress = *data_.subsystems[index].progress;
   pass.builder.add_node(
       pass.label(stage(), i),
-      graph::reads(marker_inputs(data_, {i}, own.markers), own.states->kept_part,
-                   own.states->reached_part),
-      graph::writes(own.part, own.states->reached_part),
+      graph::reads(marker_inputs(data_, {i}, own.markers), own.states->kept_part),
+      graph::updates(own.states->reached_part), graph::writes(own.part),
       unless_halted(progress, [this, &progress, index, h = pass.step]() noexcept {
         const bool is_between = progress.control.is_between_steps();
         const double begin = static_cast<double>(progress.step - (is_between ? 0 : 1)) * h;

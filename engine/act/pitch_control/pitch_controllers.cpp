@@ -77,11 +77,11 @@ void PitchControllers::add_nodes(const PassNodes& pass, PassPlace place, int i) 
   const graph::PartId part = parts_[index];
   if (place != PassPlace::before_motion || part.index < 0) return;
   const SubsystemData<Space>& own = data_.subsystems[index];
-  pass.builder.add_node(
-      pass.label(stage(), i), graph::reads(own.parts.progress, speed_inputs(i), part),
-      graph::writes(part), unless_halted(*own.progress, [this, index, h = pass.step]() noexcept {
-        take_samples(index, h);
-      }));
+  pass.builder.add_node(pass.label(stage(), i), graph::reads(own.parts.progress, speed_inputs(i)),
+                        graph::updates(part),
+                        unless_halted(*own.progress, [this, index, h = pass.step]() noexcept {
+                          take_samples(index, h);
+                        }));
 }
 
 }  // namespace spoke

@@ -184,12 +184,11 @@ void UserLoads<World>::add_nodes(const PassNodes& pass, PassPlace place, int i) 
     if (loads_.size() > 1) label.item = "load " + std::to_string(load.number + 1);
     const PartList scratch = marker_scratch(data_, load.markers);
     const StepProgress& progress = *data_.subsystems[static_cast<std::size_t>(i)].progress;
-    pass.builder.add_node(
-        label, graph::reads(marker_inputs(data_, load.subsystems, load.markers), scratch),
-        graph::writes(load.part, scratch),
-        unless_halted(progress, [this, &progress, &load]() noexcept {
-          evaluate(progress.control.time, load);
-        }));
+    pass.builder.add_node(label, graph::reads(marker_inputs(data_, load.subsystems, load.markers)),
+                          graph::updates(scratch), graph::writes(load.part),
+                          unless_halted(progress, [this, &progress, &load]() noexcept {
+                            evaluate(progress.control.time, load);
+                          }));
   }
 }
 
