@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "engine/space/solid_places.h"
+#include "engine/table/body_kind.h"
 #include "models/space/mount.h"
 
 namespace spoke {
@@ -25,6 +26,10 @@ space::BodyModel body_model_of(const BodyData<Space>& body) {
           {&*body.blocks[0]->elastic, implicit},
           tension ? &*tension : nullptr,
           body.strain ? &body.strain->shift : nullptr};
+}
+
+bool has_nonlinear_strain(const BodyData<Space>& body) {
+  return body.kind->has_nonlinear_strain(*body.model->body);
 }
 
 space::BodyState body_state_of(const BodyData<Space>& body) {
@@ -56,6 +61,17 @@ space::HandleMotion motion_at(const BodyData<Space>& body, const space::Section&
 space::JointState joint_state_of(const BodyData<Space>& body) {
   return {body.joint.coordinates.q, body.joint.coordinates.v, &body.joint.rotation->reference,
           body.joint.driven};
+}
+
+space::BodyMotion body_motion_of(const System<Space>& system, double t, std::size_t j,
+                                 const SubsystemData<Space>& data) noexcept {
+  return {angular(data.twists[j]), angular(data.hub->twist), calc_tension_field(system, t, data)};
+}
+
+void add_hub_moment(const space::Angular& moment, const HubState<Space>& hub,
+                    space::BodyTerms& terms) noexcept {
+  terms.stiffening.moment += moment;
+  terms.load_power += moment.dot(space::Angular(angular(hub.twist)));
 }
 
 space::Rotation resolve_load(spatial::LoadFrame frame, const space::Rotation& R_HB,

@@ -11,11 +11,13 @@
 
 namespace spoke {
 
-/// Makes, at the first pass of a step, the tension on its left-hand side that of the hub's speed,
-/// or the stiffness there that of the predicted shape.
-void follow_state(const HubState<Space>& hub, BodyData<Space>& body) noexcept;
 /// Whether the terms of a pass of an implicit step have such tension.
 bool has_implicit_tension(const BodyData<Space>& body) noexcept;
+/// Whether a body's tension depends on what is applied.
+bool has_applied_tension(const BodyData<Space>& body) noexcept;
+/// Returns the linear momentum of a body that deforms, by its terms, in B.
+space::Position calc_deformed_momentum(const BodyData<Space>& body,
+                                       const space::Twist& twist) noexcept;
 /// Whether forces on a body, in the hub's frame, depend on its pose and deformation.
 bool depend_on_pose(const BodyData<Space>& body) noexcept;
 

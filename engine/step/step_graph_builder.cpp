@@ -136,7 +136,8 @@ void calc_mass_terms(const SystemContext<Space>& c, int i, int j,
   if (control.is_implicit) {
     const auto& alpha = std::get<GeneralizedAlpha>(c.integrator.method);
     shares = {alpha.position_gain, alpha.velocity_gain};
-    if (control.begins_iteration()) follow_state(*data.hub, data.bodies[j]);
+    BodyData<Space>& body = data.bodies[j];
+    if (control.begins_iteration()) body.kind->follow_state(*data.hub, body);
   }
   calc_terms(c.system, c.system.subsystems[i], control.time, shares, j, data);
 }
@@ -150,7 +151,7 @@ void add_mass(const Assembly<World>& g, int i, int j) {
   PartList inputs = terms_inputs(g, i, j);
   add_mass_tiles(g, i, j, inputs);
   // Loads add to the rows of tiles.
-  if (is_tiled(data.bodies[j])) graph::add_to(inputs, parts.tiles);
+  if (slices_of(data.bodies[j])) graph::add_to(inputs, parts.tiles);
   graph::add_to(outputs, parts.tiles);
   for (const PartId tension : graph::maybe(parts.tension)) {
     inputs.push_back(tension);  // it stays while the speed does

@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "engine/table/body_kind.h"
 #include "engine/table/body_parts.h"
 #include "engine/table/step_data.h"
 #include "models/system/spatial_system.h"
@@ -42,13 +43,37 @@ double mass_of(const space::Body& body) { return body.mass(); }
 double extent_of(const plane::FlexibleBody& body) { return body.length; }
 double extent_of(const space::Body& body) { return body.extent(); }
 
+// What follows from the kind of a body, which in the plane is one.
+
+void choose_kind(BodyData<Plane>&) {}
+void choose_kind(BodyData<Space>& data) { data.kind = &kind_of(*data.model->body); }
+
+double find_surely_linear(const BodyData<Plane>& data) {
+  return calc_surely_linear(*data.model->body, data.linear_range);
+}
+double find_surely_linear(const BodyData<Space>& data) {
+  return data.kind->calc_surely_linear(*data.model->body, data.linear_range);
+}
+
+std::size_t count_fields(const BodyData<Plane>& data) { return count_fields(*data.model->body); }
+std::size_t count_fields(const BodyData<Space>& data) {
+  return data.kind->count_work(*data.model->body);
+}
+
+void place_fields(double* memory, BodyData<Plane>& data) {
+  place_fields(*data.model->body, memory, data);
+}
+void place_fields(double* memory, BodyData<Space>& data) {
+  data.work = data.kind->place_work(*data.model->body, memory);
+}
+
 /// Lays out the coordinates of a body.
 template <class World>
 void lay_out(double range, BodyData<World>& data) {
   const typename World::Body& body = *data.model->body;
   data.layout = make_layout(body);
   data.linear_range = range * extent_of(body);
-  data.surely_linear = calc_surely_linear(body, data.linear_range);
+  data.surely_linear = find_surely_linear(data);
   set_extent(data.layout, data.coordinates);
 }
 
@@ -109,10 +134,11 @@ void allocate(const Subsystem<World>& subsystem, const TableOptions& options,
   std::size_t state = BodyTypes<World>::Layout::kPad, fields = state;
   for (std::size_t j = 0; j < count; ++j) {
     data.bodies[j].model = &subsystem.bodies[j];
+    choose_kind(data.bodies[j]);
     lay_out(options.linear_range, data.bodies[j]);
     state += static_cast<std::size_t>(data.bodies[j].layout.stride() * flex_vectors) +
              count_joint_state(subsystem.bodies[j], options.history);
-    fields += count_fields(*subsystem.bodies[j].body);
+    fields += count_fields(data.bodies[j]);
   }
   data.modal_forces = ArenaVector<double>(subsystem.modal_factors.size(), 0.0, arena);
   data.controls = ArenaVector<ControlState>(subsystem.controls.size(), arena);
@@ -130,8 +156,7 @@ void allocate(const Subsystem<World>& subsystem, const TableOptions& options,
     place_joint_state(*body.model, options,
                       std::exchange(next, next + count_joint_state(*body.model, options.history)),
                       body);
-    const typename World::Body& shape = *body.model->body;
-    place_fields(shape, std::exchange(next_fields, next_fields + count_fields(shape)), body);
+    place_fields(std::exchange(next_fields, next_fields + count_fields(body)), body);
     body.X.setZero();
     body.report = {};
   }
@@ -147,21 +172,7 @@ PlacedLoad<World, Load> place(const Load& load, const BodyData<World>& data) {
 }
 
 PlacedLoad<Space, BodyLoad<Space>> place(const BodyLoad<Space>& load, const BodyData<Space>& data) {
-  const space::Body& body = *data.model->body;
-  if (const space::Solid* solid = body.solid()) {
-    PlacedLoad<Space, BodyLoad<Space>> placed{&load, {}, {}};
-    for (const BodyLoad<Space>::Point& point : load.points)
-      placed.places.push_back(make_solid_section(*solid, point.element));
-    return placed;
-  }
-  if (!body.flexible()) return {&load, {}, {}};
-  std::vector<space::Section> sections;
-  std::vector<double> weights;
-  for (const BodyLoad<Space>::Point& point : load.points) {
-    sections.push_back(space::make_section(body, point.element, point.s));
-    weights.push_back(point.weight);
-  }
-  return {&load, make_loaded_sections(*body.flexible(), sections, weights), {}};
+  return data.kind->place_load(load, *data.model->body);
 }
 
 template <class World, class Load>

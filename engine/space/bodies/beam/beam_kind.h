@@ -1,0 +1,46 @@
+#pragma once
+
+// A part of a beam in space as a kind.
+
+#include "engine/table/body_kind.h"
+
+namespace spoke {
+
+class BeamKind final : public BodyKind<Space> {
+ public:
+  std::size_t count_work(const space::Body& body) const override;
+  space::BodyWork place_work(const space::Body& body, double* memory) const override;
+  double calc_surely_linear(const space::Body& body, double range) const override;
+  bool has_nonlinear_strain(const space::Body& body) const override;
+  bool clears_rows(const space::Body& body) const override;
+  space::Block make_block(const space::Body& body,
+                          const space::BlockFactors& factors) const override;
+  void make_tension(const ElasticShares& implicit, FormulationWork<Space>& work,
+                    Data& body) const override;
+  void declare_tension(std::size_t j, SubsystemData<Space>& data) const override;
+  std::span<double> rows_of(const Data& body) const noexcept override;
+  std::span<double> scratch_of(const Data& body) const noexcept override;
+  void declare_inverse(const PartMaker& maker, Data& body, BodyParts& parts) const override;
+  PlacedLoad<Space, BodyLoad<Space>> place_load(const BodyLoad<Space>& load,
+                                                const space::Body& body) const override;
+  double estimate_constants(const space::Body& body) const override;
+  double estimate_own(const TreeBody<Space>& member) const override;
+
+  void follow_state(const HubState<Space>& hub, Data& body) const noexcept override;
+  void keep_state(Data& body) const noexcept override;
+  void calc_terms(const System<Space>& system, double t, const space::ImplicitShares& shares,
+                  std::size_t j, SubsystemData<Space>& data) const noexcept override;
+  void add_applied(double t, const space::Rotation& R_HB, std::size_t j,
+                   SubsystemData<Space>& data) const noexcept override;
+  void add_forces(double factor, const double* forces, Data& body) const noexcept override;
+  space::Position sum_loads(double t, const space::Rotation& R_HB, const space::Rotation& R_0,
+                            const Data& body) const noexcept override;
+  space::Position calc_linear_momentum(const Data& body,
+                                       const space::Twist& twist) const noexcept override;
+  void condense(const space::Twist& twist, bool implicit, const structured::BodyWork<Space>& work,
+                Data& body) const noexcept override;
+  void recover(const structured::BodyWork<Space>& work, bool implicit, Data& body,
+               double* a) const noexcept override;
+};
+
+}  // namespace spoke

@@ -1,0 +1,40 @@
+#pragma once
+
+// A rigid body as a kind.
+
+#include "engine/table/body_kind.h"
+
+namespace spoke {
+
+class RigidKind final : public BodyKind<Space> {
+ public:
+  std::size_t count_work(const space::Body& body) const override;
+  space::BodyWork place_work(const space::Body& body, double* memory) const override;
+  double calc_surely_linear(const space::Body& body, double range) const override;
+  bool has_mass_alone() const override { return true; }
+  space::Block make_block(const space::Body& body,
+                          const space::BlockFactors& factors) const override;
+  void make_tension(const ElasticShares&, FormulationWork<Space>&, Data&) const override {}
+  void declare_tension(std::size_t, SubsystemData<Space>&) const override {}
+  void declare_inverse(const PartMaker&, Data&, BodyParts&) const override {}
+  PlacedLoad<Space, BodyLoad<Space>> place_load(const BodyLoad<Space>& load,
+                                                const space::Body& body) const override;
+  double estimate_constants(const space::Body& body) const override;
+  double estimate_own(const TreeBody<Space>&) const override { return 0.0; }
+
+  void calc_terms(const System<Space>& system, double t, const space::ImplicitShares& shares,
+                  std::size_t j, SubsystemData<Space>& data) const noexcept override;
+  void add_applied(double t, const space::Rotation& R_HB, std::size_t j,
+                   SubsystemData<Space>& data) const noexcept override;
+  void add_forces(double, const double*, Data&) const noexcept override {}
+  space::Position sum_loads(double t, const space::Rotation& R_HB, const space::Rotation& R_0,
+                            const Data& body) const noexcept override;
+  space::Position calc_linear_momentum(const Data& body,
+                                       const space::Twist& twist) const noexcept override;
+  void condense(const space::Twist& twist, bool implicit, const structured::BodyWork<Space>& work,
+                Data& body) const noexcept override;
+  void recover(const structured::BodyWork<Space>& work, bool implicit, Data& body,
+               double* a) const noexcept override;
+};
+
+}  // namespace spoke
