@@ -13,6 +13,7 @@
 #include "engine/space/solid_limits.h"
 #include "engine/space/solid_terms.h"
 #include "engine/step/stages.h"
+#include "engine/table/body_kind.h"
 
 namespace spoke {
 namespace {
@@ -93,12 +94,7 @@ std::string name_load(const BodyLoad<Plane>& load) {
 std::string name_load(const BodyLoad<Space>&) { return "a load on it"; }
 
 double strain_energy_of(const BodyData<Plane>& body) { return calc_strain_energy(body); }
-double strain_energy_of(const BodyData<Space>& body) {
-  if (const space::Solid* solid = body.model->body->solid())
-    return space::calc_strain_energy(*solid, body.coordinates.q);
-  const space::FlexibleBody* flexible = body.model->body->flexible();
-  return flexible ? space::calc_strain_energy(*flexible, body.coordinates.q, body.work) : 0.0;
-}
+double strain_energy_of(const BodyData<Space>& body) { return body.kind->calc_strain_energy(body); }
 
 std::string describe_violation(const Violation& violation) {
   if (!std::isfinite(violation.value)) return kNotFinite;

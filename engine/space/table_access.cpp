@@ -4,8 +4,6 @@
 
 #include <cassert>
 
-#include "engine/space/solid_places.h"
-#include "engine/table/body_kind.h"
 #include "models/space/mount.h"
 
 namespace spoke {
@@ -48,14 +46,6 @@ space::Twist calc_load_wrench(const BodyLoad<Space>& load, std::size_t k, double
   const double size = load.course->value(t) * load.points[k].weight;
   const space::Rotation R = resolve_load(load.frame, R_HB, R_0, section);
   return size * (R * make_wrench(load.force, load.moment));
-}
-
-space::HandleMotion motion_at(const BodyData<Space>& body, const space::Section& section) noexcept {
-  if (const space::FlexibleBody* flexible = body.model->body->flexible())
-    return calc_section_motion(*flexible, section, body.coordinates.q, body.coordinates.v);
-  if (body.model->body->solid())
-    return calc_place_motion(*section.place, body.coordinates.q, body.coordinates.v);
-  return space::make_fixed_handle(section.s0);
 }
 
 space::JointState joint_state_of(const BodyData<Space>& body) {

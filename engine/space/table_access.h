@@ -2,6 +2,7 @@
 
 // A spatial body's data in the table, as kernels read them.
 
+#include "engine/table/body_kind.h"
 #include "engine/table/step_data.h"
 
 namespace spoke {
@@ -13,7 +14,10 @@ space::BodyState body_state_of(const BodyData<Space>& body);
 /// Returns M_RR about the origin of its frame. Precondition: the body is rigid.
 const space::SymmetricTwistMatrix& rigid_mass_of(const BodyData<Space>& body);
 /// Returns the motion of a section against the frame of its body at the state in the table.
-space::HandleMotion motion_at(const BodyData<Space>& body, const space::Section& section) noexcept;
+inline space::HandleMotion motion_at(const BodyData<Space>& body,
+                                     const space::Section& section) noexcept {
+  return body.kind->motion_at(body, section);
+}
 /// Returns force and moment of a load of the scenario at its point `k`, in the frame of its body B;
 /// R_HB and R_0: of B in H and of H in the inertial frame, `section`: of the loaded section in B.
 space::Twist calc_load_wrench(const BodyLoad<Space>& load, std::size_t k, double t,

@@ -8,8 +8,6 @@
 #include <utility>
 
 #include "engine/kernels/kinematics.h"
-#include "engine/space/solid_places.h"
-#include "engine/space/solid_table_terms.h"
 #include "engine/table/body_kind.h"
 #include "models/space/mount.h"
 
@@ -116,36 +114,6 @@ std::array<double, space::Joint::kMost> calc_motors(const space::TreeJoint& join
   return motor;
 }
 
-space::DrawnInward calc_handle_drawn(const BodyData<Space>& body, int handle, const double* q,
-                                     const double* v) noexcept {
-  const auto h = static_cast<std::size_t>(handle);
-  if (const space::Solid* solid = body.model->body->solid()) {
-    const space::PlaceDrawn drawn = calc_solid_drawn(body, solid->handles[h], q, v, nullptr);
-    return {drawn.place, drawn.rate};
-  }
-  const space::FlexibleBody* flexible = body.model->body->flexible();
-  return flexible ? calc_drawn_inward(*flexible, flexible->handles[h], q, v) : space::DrawnInward{};
-}
-
-space::DrawnInward calc_section_drawn(const BodyData<Space>& body, const space::Section& section,
-                                      const double* q, const double* v) noexcept {
-  if (const space::FlexibleBody* flexible = body.model->body->flexible())
-    return calc_drawn_inward(*flexible, section, q, v);
-  if (!body.model->body->solid()) return {};
-  const space::PlaceDrawn drawn = calc_solid_drawn(body, section.place_number, q, v, nullptr);
-  return {drawn.place, drawn.rate};
-}
-
-space::Twist calc_section_acceleration(const BodyData<Space>& body, const space::Section& section,
-                                       const space::HandleMotion& motion, const space::Twist& X,
-                                       const space::Angular& w, const double* a) noexcept {
-  if (const space::FlexibleBody* flexible = body.model->body->flexible())
-    return calc_section_acceleration(*flexible, section, motion, X, w, a);
-  space::Twist acceleration = motion.carry(X) + motion.bias(w);
-  if (body.model->body->solid()) acceleration += calc_place_deformation(*section.place, motion, a);
-  return acceleration;
-}
-
 space::SlideState calc_slide_shift(const SubsystemData<Space>& data, std::size_t j) noexcept {
   assert(j < data.bodies.size() && data.bodies[j].model->joint.slide);
   space::SlideState slide;
@@ -154,8 +122,7 @@ space::SlideState calc_slide_shift(const SubsystemData<Space>& data, std::size_t
   while (outer->parent >= 0) {
     const BodyData<Space>& body = data.bodies[static_cast<std::size_t>(outer->parent)];
     if (body.model->stiffening) {
-      const space::DrawnInward drawn =
-          calc_handle_drawn(body, outer->handle, body.coordinates.q, body.coordinates.v);
+      const space::DrawnInward drawn = body.kind->calc_handle_drawn(body, outer->handle);
       const space::Rotation& R_HB = body.model->stiffening->R_HB;
       slide.shift -= axis.dot(R_HB * drawn.place);
       slide.rate -= axis.dot(R_HB * drawn.rate);

@@ -26,20 +26,6 @@ bool depend_on_pose(const BodyData<Space>& body) noexcept;
 space::Position sum_forces(double t, const Subsystem<Space>& subsystem,
                            const SubsystemData<Space>& data, std::size_t j) noexcept;
 
-/// Returns by how much the stiffening draws a handle of a body inward, along the axes of B.
-space::DrawnInward calc_handle_drawn(const BodyData<Space>& body, int handle, const double* q,
-                                     const double* v) noexcept;
-
-/// Returns that of a section.
-space::DrawnInward calc_section_drawn(const BodyData<Space>& body, const space::Section& section,
-                                      const double* q, const double* v) noexcept;
-
-/// Returns the acceleration of a section less gravity, in B, at the acceleration X and the angular
-/// velocity w of B and the flex vector a = q''.
-space::Twist calc_section_acceleration(const BodyData<Space>& body, const space::Section& section,
-                                       const space::HandleMotion& motion, const space::Twist& X,
-                                       const space::Angular& w, const double* a) noexcept;
-
 /// Returns shift and rate of the coordinate by which the joint that carries body `j` slides, from
 /// the deformation of the bodies inboard. Precondition: it slides.
 space::SlideState calc_slide_shift(const SubsystemData<Space>& data, std::size_t j) noexcept;

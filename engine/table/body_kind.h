@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <span>
 
+#include "engine/table/body_view.h"
 #include "engine/table/step_data.h"
 
 namespace spoke {
@@ -40,11 +41,10 @@ class BodySlices {
   ~BodySlices() = default;
 };
 
+/// A kind of bodies: what is made once, and what a pass calls; besides what others see of it.
 template <>
-class BodyKind<Space> {
+class BodyKind<Space> : public BodyView<Space> {
  public:
-  using Data = BodyData<Space>;
-
   // Made once, of the constants of a body.
 
   /// Count the doubles of its work, and place the work in so much memory, aligned to 16 bytes.
@@ -85,6 +85,11 @@ class BodyKind<Space> {
 
   // In a pass.
 
+  /// Sets the motions of its handles against its frame.
+  virtual void place_handles(Data& body) const noexcept = 0;
+  /// Takes the twist of its inboard section to that of its frame, and the joint's motion, where
+  /// this section moves against the frame.
+  virtual void leave_inboard(const Data&, space::JointMotion&, space::Twist&) const noexcept {}
   /// Makes, at the first pass of a step, what the left-hand side has of the predicted state.
   virtual void follow_state(const HubState<Space>&, Data&) const noexcept {}
   /// Keeps what a step needs of the state at which it begins.
@@ -119,6 +124,20 @@ class BodyKind<Space> {
   /// Returns what it does by slices, if it has several, all else being done between these; else
   /// null.
   virtual const BodySlices* slices(const Data&) const noexcept { return nullptr; }
+
+  // As full matrices, in the coordinates [X; q], for the dense formulations.
+
+  /// Returns Mhat of the deformation; empty for a rigid body. factors: see make_block().
+  virtual Eigen::MatrixXd make_dense_block(const space::Body& body,
+                                           const space::BlockFactors& factors) const = 0;
+  /// Fills the mass matrix of (P 3), `elastic` being its deformation block.
+  virtual void calc_dense_mass(const Data& body, const Eigen::MatrixXd& elastic, bool implicit,
+                               Eigen::Ref<Eigen::MatrixXd> mass) const = 0;
+  /// Fills the right-hand side [Q; Q_f].
+  virtual void calc_dense_force(const Data& body, Eigen::Ref<Eigen::VectorXd> force) const = 0;
+  /// Fills the Jacobian J of a handle's twist with respect to the body's.
+  virtual void calc_handle_jacobian(const Data& body, int handle,
+                                    Eigen::Ref<Eigen::MatrixXd> J) const = 0;
 
  protected:
   ~BodyKind() = default;

@@ -22,6 +22,7 @@ class RigidKind final : public BodyKind<Space> {
   double estimate_constants(const space::Body& body) const override;
   double estimate_own(const TreeBody<Space>&) const override { return 0.0; }
 
+  void place_handles(Data& body) const noexcept override;
   void calc_terms(const System<Space>& system, double t, const space::ImplicitShares& shares,
                   std::size_t j, SubsystemData<Space>& data) const noexcept override;
   void add_applied(double t, const space::Rotation& R_HB, std::size_t j,
@@ -35,6 +36,28 @@ class RigidKind final : public BodyKind<Space> {
                 Data& body) const noexcept override;
   void recover(const structured::BodyWork<Space>& work, bool implicit, Data& body,
                double* a) const noexcept override;
+
+  Eigen::MatrixXd make_dense_block(const space::Body& body,
+                                   const space::BlockFactors& factors) const override;
+  void calc_dense_mass(const Data& body, const Eigen::MatrixXd& elastic, bool implicit,
+                       Eigen::Ref<Eigen::MatrixXd> mass) const override;
+  void calc_dense_force(const Data& body, Eigen::Ref<Eigen::VectorXd> force) const override;
+  void calc_handle_jacobian(const Data& body, int handle,
+                            Eigen::Ref<Eigen::MatrixXd> J) const override;
+
+  space::Section place_marker(const std::string& whose, const Marker& marker,
+                              const space::Body& body) const override;
+  space::Section section_at(const space::Body& body, double station) const override;
+  space::HandleMotion motion_at(const Data& body,
+                                const space::Section& section) const noexcept override;
+  space::Twist calc_section_acceleration(const Data& body, const space::Section& section,
+                                         const space::HandleMotion& motion, const space::Twist& X,
+                                         const space::Angular& w,
+                                         const double* a) const noexcept override;
+  space::Position find_tip(const Data& body) const noexcept override;
+  space::BodyEnergies calc_energies(const Data& body, const space::Twist& twist,
+                                    const space::BodyMotion& motion) const noexcept override;
+  space::Twist calc_momentum(const Data& body, const space::Twist& twist) const noexcept override;
 };
 
 }  // namespace spoke

@@ -16,6 +16,9 @@ class SolidKind : public BodyKind<Space> {
   PlacedLoad<Space, BodyLoad<Space>> place_load(const BodyLoad<Space>& load,
                                                 const space::Body& body) const override;
 
+  void place_handles(Data& body) const noexcept override;
+  void leave_inboard(const Data& body, space::JointMotion& joint,
+                     space::Twist& twist) const noexcept override;
   void add_applied(double t, const space::Rotation& R_HB, std::size_t j,
                    SubsystemData<Space>& data) const noexcept override;
   void add_forces(double factor, const double* forces, Data& body) const noexcept override;
@@ -23,6 +26,45 @@ class SolidKind : public BodyKind<Space> {
                             const Data& body) const noexcept override;
   space::Position calc_linear_momentum(const Data& body,
                                        const space::Twist& twist) const noexcept override;
+
+  Eigen::MatrixXd make_dense_block(const space::Body& body,
+                                   const space::BlockFactors& factors) const override;
+  void calc_dense_mass(const Data& body, const Eigen::MatrixXd& elastic, bool implicit,
+                       Eigen::Ref<Eigen::MatrixXd> mass) const override;
+  void calc_dense_force(const Data& body, Eigen::Ref<Eigen::VectorXd> force) const override;
+  void calc_handle_jacobian(const Data& body, int handle,
+                            Eigen::Ref<Eigen::MatrixXd> J) const override;
+
+  space::Section place_marker(const std::string& whose, const Marker& marker,
+                              const space::Body& body) const override;
+  space::Section section_at(const space::Body& body, double station) const override;
+  int place_of_handle(const space::Body& body, std::size_t handle) const override;
+  space::HandleMotion motion_at(const Data& body,
+                                const space::Section& section) const noexcept override;
+  space::Twist calc_section_acceleration(const Data& body, const space::Section& section,
+                                         const space::HandleMotion& motion, const space::Twist& X,
+                                         const space::Angular& w,
+                                         const double* a) const noexcept override;
+  space::Twist calc_handle_deformation(const Data& body, int handle) const noexcept override;
+  void add_handle_turning(const Data& body, int handle,
+                          space::Angular& sum) const noexcept override;
+  space::DrawnInward calc_handle_drawn(const Data& body, int handle) const noexcept override;
+  space::DrawnInward calc_section_drawn(const Data& body,
+                                        const space::Section& section) const noexcept override;
+  space::Position calc_shown_drawn(const Data& body, int handle) const noexcept override;
+  space::Position calc_shown_drawn(const Data& body,
+                                   const space::Section& section) const noexcept override;
+  void add_shown_drawn(const Data& body, int handle, const SpatialMotion& frame,
+                       SpatialMotion& shown) const noexcept override;
+  void add_shown_drawn(const Data& body, const space::Section& section, const SpatialMotion& frame,
+                       SpatialMotion& shown) const noexcept override;
+  space::Position find_tip(const Data& body) const noexcept override;
+  space::BodyEnergies calc_energies(const Data& body, const space::Twist& twist,
+                                    const space::BodyMotion& motion) const noexcept override;
+  space::Twist calc_momentum(const Data& body, const space::Twist& twist) const noexcept override;
+  double calc_strain_energy(const Data& body) const noexcept override;
+  space::Angular calc_stiffening_momentum(const Data& body,
+                                          const space::Angular& hub_w) const noexcept override;
 
  protected:
   ~SolidKind() = default;
