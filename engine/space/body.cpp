@@ -54,13 +54,4 @@ void place_state(const Joint& joint, int history, double* memory, BodyFields& fi
   std::uninitialized_value_construct_n(data.driven, joint.driven);
 }
 
-Section make_section(const Body& body, int element, double s) {
-  assert(body.flexible() && body.beam && element >= 0 && element < body.flexible()->elements);
-  assert(s >= -1e-9 && s <= 1.0 + 1e-9);
-  const FlexibleBody& flexible = *body.flexible();
-  const auto e = static_cast<std::size_t>(element);
-  return make_section(*body.beam, flexible,
-                      flexible.stations[e] + s * (flexible.stations[e + 1] - flexible.stations[e]));
-}
-
 }  // namespace spoke::space

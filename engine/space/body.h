@@ -88,10 +88,6 @@ std::size_t count_state(const Joint& joint, int history);
 /// Places it in so much memory, which is zero and aligned to 16 bytes.
 void place_state(const Joint& joint, int history, double* memory, BodyFields& fields);
 
-/// Makes the section at `s` of an element, 0 at its inboard end, 1 at the outboard end.
-/// Precondition: the body is flexible.
-Section make_section(const Body& body, int element, double s);
-
 /// The wrench of the joint that carries a body on its inboard handle, in its frame: the multipliers
 /// of (P 8).
 struct JointWrench {

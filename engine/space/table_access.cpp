@@ -8,35 +8,12 @@
 
 namespace spoke {
 
-space::BodyModel body_model_of(const BodyData<Space>& body) {
-  assert(body.model->body->flexible() && body.blocks[0] && body.blocks[0]->elastic);
-  assert(body.tension || body.strain || (body.blocks[1] && body.blocks[1]->elastic));
-  const space::FlexibleBody* flexible = body.model->body->flexible();
-  const auto& tension = body.model->stiffening;
-  const space::ElasticBlock* implicit = nullptr;
-  if (body.tension)
-    implicit = &body.tension->block;
-  else if (body.strain)
-    implicit = &body.strain->block;
-  else
-    implicit = &*body.blocks[1]->elastic;
-  return {flexible,
-          {&*body.blocks[0]->elastic, implicit},
-          tension ? &*tension : nullptr,
-          body.strain ? &body.strain->shift : nullptr};
-}
-
 bool has_nonlinear_strain(const BodyData<Space>& body) {
   return body.kind->has_nonlinear_strain(*body.model->body);
 }
 
 space::BodyState body_state_of(const BodyData<Space>& body) {
   return {body.coordinates.q, body.coordinates.v, body.q_elastic, body.v_elastic};
-}
-
-const space::SymmetricTwistMatrix& rigid_mass_of(const BodyData<Space>& body) {
-  assert(body.model->body->rigid() && body.blocks[0] && body.blocks[0]->rigid);
-  return body.blocks[0]->rigid->mass;
 }
 
 space::Twist calc_load_wrench(const BodyLoad<Space>& load, std::size_t k, double t,

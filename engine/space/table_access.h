@@ -7,12 +7,8 @@
 
 namespace spoke {
 
-/// Returns the constants that the kernels of a flexible body read (engine/space/body_data.h).
-/// Precondition: the body is flexible.
-space::BodyModel body_model_of(const BodyData<Space>& body);
+/// Returns the flex vectors of a body.
 space::BodyState body_state_of(const BodyData<Space>& body);
-/// Returns M_RR about the origin of its frame. Precondition: the body is rigid.
-const space::SymmetricTwistMatrix& rigid_mass_of(const BodyData<Space>& body);
 /// Returns the motion of a section against the frame of its body at the state in the table.
 inline space::HandleMotion motion_at(const BodyData<Space>& body,
                                      const space::Section& section) noexcept {

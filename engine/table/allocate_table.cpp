@@ -27,15 +27,6 @@ void place_joint_state(const TreeBody<Space>& model, const TableOptions& options
   if (options.is_explicit) data.joint.a_found = data.joint.coordinates.a;
 }
 
-plane::Section make_load_section(const BodyData<Plane>& data, const LoadPoint& point) {
-  plane::Section section = make_section(*data.model->body, data.layout, point.element, point.s);
-  section.x = point.x;
-  return section;
-}
-space::Section make_load_section(const BodyData<Space>& data, const LoadPoint& point) {
-  return space::make_section(*data.model->body, point.element, point.s);
-}
-
 double mass_of(const plane::FlexibleBody& body) { return body.mass; }
 double mass_of(const space::Body& body) { return body.mass(); }
 
@@ -163,24 +154,26 @@ void allocate(const Subsystem<World>& subsystem, const TableOptions& options,
   declare_parts(data);
 }
 
-/// Finds the sections at which a load acts on a body.
-template <class World, class Load>
-PlacedLoad<World, Load> place(const Load& load, const BodyData<World>& data) {
-  PlacedLoad<World, Load> placed{&load, {}};
-  for (const auto& point : load.points) placed.sections.push_back(make_load_section(data, point));
+/// Finds the places at which a load of the scenario acts on a body.
+template <class Load>
+PlacedLoad<Plane, Load> place(const Load& load, const BodyData<Plane>& data) {
+  PlacedLoad<Plane, Load> placed{&load, {}};
+  for (const auto& point : load.points) {
+    placed.sections.push_back(make_section(*data.model->body, data.layout, point.element, point.s));
+    placed.sections.back().x = point.x;
+  }
   return placed;
 }
 
-PlacedLoad<Space, BodyLoad<Space>> place(const BodyLoad<Space>& load, const BodyData<Space>& data) {
-  return data.kind->place_load(load, *data.model->body);
+/// Places loads and drag; in space there is no drag.
+void place_loads(BodyData<Plane>& body) {
+  for (const BodyLoad<Plane>& load : body.model->loads) body.loads.push_back(place(load, body));
+  for (const BodyDrag<Plane>& drag : body.model->drags) body.drags.push_back(place(drag, body));
 }
-
-template <class World, class Load>
-std::vector<PlacedLoad<World, Load>> place_all(const std::vector<Load>& loads,
-                                               const BodyData<World>& data) {
-  std::vector<PlacedLoad<World, Load>> placed;
-  for (const Load& load : loads) placed.push_back(place(load, data));
-  return placed;
+void place_loads(BodyData<Space>& body) {
+  assert(body.model->drags.empty());
+  for (const BodyLoad<Space>& load : body.model->loads)
+    body.loads.push_back(body.kind->place_load(load, *body.model->body));
 }
 
 /// Whether drag on a body depends on where it is in the hub's frame.
@@ -310,10 +303,7 @@ void allocate(const System<World>& system, const TableOptions& options, StepData
     subsystem.part_maker =
         PartMaker(data.all_parts, static_cast<int>(i), "blade " + std::to_string(i + 1) + " / ");
     allocate(system.subsystems[i], options, subsystem);
-    for (BodyData<World>& body : subsystem.bodies) {
-      body.loads = place_all(body.model->loads, body);
-      body.drags = place_all(body.model->drags, body);
-    }
+    for (BodyData<World>& body : subsystem.bodies) place_loads(body);
     const std::vector<TreeBody<World>>& bodies = system.subsystems[i].bodies;
     const PartMaker& maker = subsystem.part_maker;
     if (std::any_of(bodies.begin(), bodies.end(), has_drag_in_hub<World>)) {

@@ -138,6 +138,15 @@ class BodyKind<Space> : public BodyView<Space> {
   /// Fills the Jacobian J of a handle's twist with respect to the body's.
   virtual void calc_handle_jacobian(const Data& body, int handle,
                                     Eigen::Ref<Eigen::MatrixXd> J) const = 0;
+  /// Returns its mass matrix, without what it carries.
+  virtual Eigen::MatrixXd calc_own_mass(const Data& body) const;
+  /// Returns K, or D, of its deformation.
+  virtual Eigen::MatrixXd calc_stiffness(const Data& body) const;
+  virtual Eigen::MatrixXd calc_damping(const Damping& damping, const Data& body) const;
+  /// Adds the trace of K of its own coordinates, as far as it is cheap.
+  virtual void add_stiffness_trace(const space::Body&, double&) const {}
+  /// Returns the force on it at zero accelerations of its deformation: [Q; Q_f] - [M_RR; C^T] X.
+  virtual Eigen::VectorXd calc_frame_force(const Data& body) const = 0;
 
  protected:
   ~BodyKind() = default;

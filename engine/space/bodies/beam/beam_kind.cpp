@@ -54,6 +54,33 @@ double estimate_factors(const space::FlexibleBody& beam) {
 
 }  // namespace
 
+space::BodyModel body_model_of(const BodyData<Space>& body) {
+  assert(body.model->body->flexible() && body.blocks[0] && body.blocks[0]->elastic);
+  assert(body.tension || body.strain || (body.blocks[1] && body.blocks[1]->elastic));
+  const space::FlexibleBody* flexible = body.model->body->flexible();
+  const auto& tension = body.model->stiffening;
+  const space::ElasticBlock* implicit = nullptr;
+  if (body.tension)
+    implicit = &body.tension->block;
+  else if (body.strain)
+    implicit = &body.strain->block;
+  else
+    implicit = &*body.blocks[1]->elastic;
+  return {flexible,
+          {&*body.blocks[0]->elastic, implicit},
+          tension ? &*tension : nullptr,
+          body.strain ? &body.strain->shift : nullptr};
+}
+
+space::Section make_element_section(const space::Body& body, int element, double s) {
+  const space::FlexibleBody& beam = *body.flexible();
+  assert(body.beam && element >= 0 && element < beam.elements);
+  assert(s >= -1e-9 && s <= 1.0 + 1e-9);
+  const auto e = static_cast<std::size_t>(element);
+  return make_section(*body.beam, beam,
+                      beam.stations[e] + s * (beam.stations[e + 1] - beam.stations[e]));
+}
+
 std::size_t BeamKind::count_work(const space::Body& body) const {
   return space::count_work(*body.flexible());
 }
@@ -147,7 +174,7 @@ PlacedLoad<Space, BodyLoad<Space>> BeamKind::place_load(const BodyLoad<Space>& l
   std::vector<space::Section> sections;
   std::vector<double> weights;
   for (const BodyLoad<Space>::Point& point : load.points) {
-    sections.push_back(space::make_section(body, point.element, point.s));
+    sections.push_back(make_element_section(body, point.element, point.s));
     weights.push_back(point.weight);
   }
   return {&load, make_loaded_sections(*body.flexible(), sections, weights), {}};

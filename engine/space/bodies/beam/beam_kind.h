@@ -52,6 +52,10 @@ class BeamKind final : public BodyKind<Space> {
   void calc_dense_force(const Data& body, Eigen::Ref<Eigen::VectorXd> force) const override;
   void calc_handle_jacobian(const Data& body, int handle,
                             Eigen::Ref<Eigen::MatrixXd> J) const override;
+  Eigen::MatrixXd calc_stiffness(const Data& body) const override;
+  Eigen::MatrixXd calc_damping(const Damping& damping, const Data& body) const override;
+  void add_stiffness_trace(const space::Body& body, double& trace) const override;
+  Eigen::VectorXd calc_frame_force(const Data& body) const override;
 
   space::Section place_marker(const std::string& whose, const Marker& marker,
                               const space::Body& body) const override;
@@ -82,6 +86,30 @@ class BeamKind final : public BodyKind<Space> {
   double calc_strain_energy(const Data& body) const noexcept override;
   space::Angular calc_stiffening_momentum(const Data& body,
                                           const space::Angular& hub_w) const noexcept override;
+
+  const char* name() const noexcept override { return "beam"; }
+  bool has_left_limits(const Data& body) const noexcept override;
+  double find_large_deflection(const Data& body) const noexcept override;
+  CoordinateViolation find_violation(const Data& body) const override;
+  std::string find_lost(const Data& body) const override;
+  std::vector<CoordinateName> name_coordinates(const space::Body& body) const override;
+  double length(const space::Body& body) const noexcept override;
+  double station_of(const TreeBody<Space>& member) const noexcept override;
+  void place_reading(const std::optional<double>& station, const TreeBody<Space>& member,
+                     Reading<Space>& reading) const override;
+  void find_outboard(const TreeBody<Space>& member, Reading<Space>& reading) const override;
+  std::optional<space::Twist> calc_stress(const Data& body, const space::Section& section,
+                                          double stiffness_factor,
+                                          const double* modal) const override;
+  void add_shape(const Data& body, space::BodyShape& shape) const override;
+  std::size_t node_of_handle(const space::Body& body, std::size_t handle) const override;
+  std::vector<LumpedNode> lump(const Data& body, const space::Pose& pose) const override;
+  Eigen::Matrix3d inboard_axes(const Data& body) const override;
 };
+
+/// Returns the constants that the kernels of a beam read (engine/space/body_data.h).
+space::BodyModel body_model_of(const BodyData<Space>& body);
+/// Makes the section of a beam at `s` of an element, 0 at its inboard end, 1 at the outboard end.
+space::Section make_element_section(const space::Body& body, int element, double s);
 
 }  // namespace spoke

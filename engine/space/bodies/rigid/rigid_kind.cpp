@@ -2,6 +2,7 @@
 
 #include "engine/space/bodies/rigid/rigid_kind.h"
 
+#include <cassert>
 #include <limits>
 
 #include "engine/formulation/structured.h"
@@ -29,6 +30,11 @@ void place_mass(const BodyData<Space>& body, const space::Twist& twist) {
 }
 
 }  // namespace
+
+const space::SymmetricTwistMatrix& rigid_mass_of(const BodyData<Space>& body) {
+  assert(body.model->body->rigid() && body.blocks[0] && body.blocks[0]->rigid);
+  return body.blocks[0]->rigid->mass;
+}
 
 std::size_t RigidKind::count_work(const space::Body& body) const {
   return space::count_work(*body.rigid());

@@ -44,6 +44,8 @@ class RigidKind final : public BodyKind<Space> {
   void calc_dense_force(const Data& body, Eigen::Ref<Eigen::VectorXd> force) const override;
   void calc_handle_jacobian(const Data& body, int handle,
                             Eigen::Ref<Eigen::MatrixXd> J) const override;
+  Eigen::MatrixXd calc_own_mass(const Data& body) const override;
+  Eigen::VectorXd calc_frame_force(const Data& body) const override;
 
   space::Section place_marker(const std::string& whose, const Marker& marker,
                               const space::Body& body) const override;
@@ -58,6 +60,16 @@ class RigidKind final : public BodyKind<Space> {
   space::BodyEnergies calc_energies(const Data& body, const space::Twist& twist,
                                     const space::BodyMotion& motion) const noexcept override;
   space::Twist calc_momentum(const Data& body, const space::Twist& twist) const noexcept override;
+
+  const char* name() const noexcept override { return "rigid body"; }
+  double reach(const space::Body& body) const noexcept override;
+  void place_reading(const std::optional<double>& station, const TreeBody<Space>& member,
+                     Reading<Space>& reading) const override;
+  void add_shape(const Data& body, space::BodyShape& shape) const override;
+  std::vector<LumpedNode> lump(const Data& body, const space::Pose& pose) const override;
 };
+
+/// Returns M_RR of a rigid body about the origin of its frame.
+const space::SymmetricTwistMatrix& rigid_mass_of(const BodyData<Space>& body);
 
 }  // namespace spoke

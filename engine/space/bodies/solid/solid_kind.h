@@ -34,6 +34,8 @@ class SolidKind : public BodyKind<Space> {
   void calc_dense_force(const Data& body, Eigen::Ref<Eigen::VectorXd> force) const override;
   void calc_handle_jacobian(const Data& body, int handle,
                             Eigen::Ref<Eigen::MatrixXd> J) const override;
+  void add_stiffness_trace(const space::Body& body, double& trace) const override;
+  Eigen::VectorXd calc_frame_force(const Data& body) const override;
 
   space::Section place_marker(const std::string& whose, const Marker& marker,
                               const space::Body& body) const override;
@@ -65,6 +67,25 @@ class SolidKind : public BodyKind<Space> {
   double calc_strain_energy(const Data& body) const noexcept override;
   space::Angular calc_stiffening_momentum(const Data& body,
                                           const space::Angular& hub_w) const noexcept override;
+
+  const char* name() const noexcept override { return "solid"; }
+  bool has_left_limits(const Data& body) const noexcept override;
+  double find_large_deflection(const Data& body) const noexcept override;
+  CoordinateViolation find_violation(const Data& body) const override;
+  std::string find_lost(const Data& body) const override;
+  std::vector<CoordinateName> name_coordinates(const space::Body& body) const override;
+  double length(const space::Body& body) const noexcept override;
+  double coordinate_size(const space::Body& body) const noexcept override;
+  void place_reading(const std::optional<double>& station, const TreeBody<Space>& member,
+                     Reading<Space>& reading) const override;
+  std::shared_ptr<const space::SolidConstants> mesh(const space::Body& body) const override;
+  space::Section section_at_place(const space::Body& body, int place) const override;
+  space::Section section_at_node(const space::Body& body, int node) const override;
+  void add_shape(const Data& body, space::BodyShape& shape) const override;
+  std::size_t node_of_handle(const space::Body& body, std::size_t handle) const override;
+  std::vector<LumpedNode> lump(const Data& body, const space::Pose& pose) const override;
+  Eigen::Matrix3d outer_axes(const Data& body, const space::Pose& pose) const override;
+  Eigen::Matrix3d inboard_axes(const Data& body) const override;
 
  protected:
   ~SolidKind() = default;
