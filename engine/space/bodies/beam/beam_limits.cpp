@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/space/bodies/beam/beam_kind.h"
-#include "engine/space/deformation_limits.h"
+#include "engine/space/bodies/beam/deformation_limits.h"
 
 namespace spoke {
 namespace {

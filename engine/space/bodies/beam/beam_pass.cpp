@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "engine/space/bodies/beam/beam_kind.h"
-#include "engine/space/body_terms.h"
-#include "engine/space/condense_body.h"
+#include "engine/space/bodies/beam/body_terms.h"
+#include "engine/space/bodies/beam/condense_body.h"
 #include "engine/space/table_terms.h"
 
 namespace spoke {

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "engine/formulation/work.h"
-#include "engine/space/condense_solid.h"
-#include "engine/space/nodal_body.h"
-#include "engine/space/solid_table_terms.h"
+#include "engine/space/bodies/nodal/nodal_body.h"
+#include "engine/space/bodies/solid/condense_solid.h"
+#include "engine/space/bodies/solid/solid_table_terms.h"
 #include "engine/space/table_access.h"
 
 namespace spoke {

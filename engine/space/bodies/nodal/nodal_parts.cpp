@@ -4,9 +4,9 @@
 
 #include "engine/space/bodies/condensed_parts.h"
 #include "engine/space/bodies/nodal/nodal_kind.h"
+#include "engine/space/bodies/solid/solid_table_terms.h"
 #include "engine/space/nodal_memory.h"
 #include "engine/space/nodal_terms.h"
-#include "engine/space/solid_table_terms.h"
 
 namespace spoke {
 namespace {

@@ -3,8 +3,8 @@
 #include "engine/space/bodies/reduced/reduced_kind.h"
 
 #include "engine/space/bodies/condensed_parts.h"
-#include "engine/space/condense_solid.h"
-#include "engine/space/solid_table_terms.h"
+#include "engine/space/bodies/solid/condense_solid.h"
+#include "engine/space/bodies/solid/solid_table_terms.h"
 #include "engine/space/table_access.h"
 
 namespace spoke {

@@ -3,8 +3,8 @@
 #include "engine/space/bodies/solid/solid_kind.h"
 
 #include "engine/formulation/work.h"
+#include "engine/space/bodies/solid/solid_table_terms.h"
 #include "engine/space/solid_limits.h"
-#include "engine/space/solid_table_terms.h"
 #include "engine/space/table_terms.h"
 
 namespace spoke {

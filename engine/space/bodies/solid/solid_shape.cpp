@@ -4,11 +4,11 @@
 
 #include "engine/space/bodies/frame_inertia.h"
 #include "engine/space/bodies/solid/solid_kind.h"
+#include "engine/space/bodies/solid/solid_places.h"
+#include "engine/space/bodies/solid/solid_table_terms.h"
 #include "engine/space/body_shape.h"
 #include "engine/space/dense_body.h"
 #include "engine/space/solid_limits.h"
-#include "engine/space/solid_places.h"
-#include "engine/space/solid_table_terms.h"
 #include "engine/space/table_access.h"
 
 namespace spoke {

@@ -4,10 +4,10 @@
 #include <string_view>
 
 #include "engine/space/bodies/solid/solid_kind.h"
+#include "engine/space/bodies/solid/solid_places.h"
+#include "engine/space/bodies/solid/solid_table_terms.h"
 #include "engine/space/dense_body.h"
 #include "engine/space/relative_motion.h"
-#include "engine/space/solid_places.h"
-#include "engine/space/solid_table_terms.h"
 #include "engine/space/table_access.h"
 #include "models/error.h"
 #include "models/support/nearest_name.h"

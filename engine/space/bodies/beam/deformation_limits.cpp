@@ -1,6 +1,6 @@
 // Looks through a body's coordinates for the largest deflection and for violations of the limits.
 
-#include "engine/space/deformation_limits.h"
+#include "engine/space/bodies/beam/deformation_limits.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,11 +1,11 @@
 // Hands the table's data to the kernels of solids.
 
-#include "engine/space/solid_table_terms.h"
+#include "engine/space/bodies/solid/solid_table_terms.h"
 
 #include <cassert>
 
+#include "engine/space/bodies/solid/solid_places.h"
 #include "engine/space/nodal_tension.h"
-#include "engine/space/solid_places.h"
 #include "engine/space/table_access.h"
 
 namespace spoke {

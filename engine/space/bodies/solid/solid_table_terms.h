@@ -2,7 +2,7 @@
 
 // The table's data for the kernels of solids.
 
-#include "engine/space/solid_terms.h"
+#include "engine/space/bodies/solid/solid_terms.h"
 #include "engine/table/step_data.h"
 
 namespace spoke {
