@@ -21,4 +21,8 @@ namespace spoke {
 template <class World>
 struct BodyTypes;
 
+/// What the engine asks a body by its kind (engine/table/body_kind.h).
+template <class World>
+class BodyKind;
+
 }  // namespace spoke

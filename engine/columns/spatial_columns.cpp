@@ -11,9 +11,8 @@
 
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/marker_motion.h"
+#include "engine/table/body_kind.h"
 #include "models/solid_body.h"
-#include "models/space/beam_element.h"
-#include "models/system/spatial_loads.h"
 #include "models/tree/sensor_place.h"
 
 namespace spoke {
@@ -64,10 +63,11 @@ int node_of(const Sensor& sensor, const spatial::SolidPart& part) {
 
 /// Returns the place on a solid that a sensor names, or its node.
 space::Section find_solid_section(const Sensor& sensor, const spatial::SolidPart& part,
-                                  const space::Solid& solid) {
-  if (sensor.node) return make_node_section(solid, node_of(sensor, part));
-  return make_solid_section(
-      solid, static_cast<int>(find_interface(part.body(), sensor.interface).value()));
+                                  const space::Body& body) {
+  const BodyView<Space>& view = kind_of(body);
+  if (sensor.node) return view.section_at_node(body, node_of(sensor, part));
+  return view.section_at_place(
+      body, static_cast<int>(find_interface(part.body(), sensor.interface).value()));
 }
 
 /// Makes the maps of the nodes of which a sensor shows the largest stress.
@@ -82,47 +82,16 @@ std::shared_ptr<const space::NodeRecovery> make_recovery(const Sensor& sensor,
 }
 
 /// Sets what a reading on a solid needs. `before`: readings of the same sensor on other subsystems.
-void place_on_solid(const Sensor& sensor, const spatial::SolidPart& part, const space::Solid& solid,
+void place_on_solid(const Sensor& sensor, const spatial::SolidPart& part, const space::Body& body,
                     Recoveries& before, Reading<Space>& reading) {
   if (sensor.quantity != SensorQuantity::von_mises) {
-    reading.section = find_solid_section(sensor, part, solid);
+    reading.section = find_solid_section(sensor, part, body);
     return;
   }
-  auto& recovery = before[solid.constants.get()];
-  if (!recovery) recovery = make_recovery(sensor, part, *solid.constants);
+  const std::shared_ptr<const space::SolidConstants> constants = kind_of(body).mesh(body);
+  auto& recovery = before[constants.get()];
+  if (!recovery) recovery = make_recovery(sensor, part, *constants);
   reading.recovery = recovery;
-}
-
-/// Sets the section of a reading at a station of the beam of a flexible body; without a station,
-/// the last one.
-void place_section(const std::optional<double>& position, const TreeBody<Space>& model,
-                   Reading<Space>& reading) {
-  const space::Body& body = *model.body;
-  const space::FlexibleBody* flexible = body.flexible();
-  if (!flexible) {
-    reading.section = space::make_rigid_section(space::Position::Zero());
-    return;
-  }
-  const double from = flexible->stations.front(), to = flexible->stations.back();
-  const double station = position ? std::clamp(*position - model.begin, from, to) : to;
-  reading.section = make_section(*body.beam, *flexible, station);
-  reading.along = reading.section.element + place_in_element(*flexible, reading.section);
-}
-
-/// Adds the mass and the loads outboard of a section of a flexible body.
-void find_outboard(const TreeBody<Space>& model, Reading<Space>& reading) {
-  const space::FlexibleBody& flexible = *model.body->flexible();
-  const auto e = static_cast<std::size_t>(reading.section.element);
-  const double from = flexible.stations[e], to = flexible.stations[e + 1];
-  reading.mass = calc_outboard_mass(
-      *model.body->beam, {flexible.stations, flexible.pose, flexible.nodes}, flexible.beam[e], e,
-      from + (reading.along - reading.section.element) * (to - from));
-  for (const BodyLoad<Space>& load : model.loads) {
-    OutboardLoad outboard{take_outboard(load, reading.along), {}};
-    for (const BodyLoad<Space>::Point& point : outboard.load.points)
-      outboard.sections.push_back(space::make_section(*model.body, point.element, point.s));
-    if (!outboard.sections.empty()) reading.loads.push_back(std::move(outboard));
-  }
 }
 
 /// Returns the place of a position among the stations of a blade in air: an index, and a share of
@@ -152,17 +121,17 @@ Reading<Space> make_reading(const Sensor& sensor, const SensorPlace& place, cons
   reading.path = path_to(body, subsystem);
   const TreeBody<Space>& model = subsystem.bodies[static_cast<std::size_t>(body)];
   const bool has_place = has_position(sensor.quantity);
-  if (const space::Solid* solid = model.body->solid();
-      solid && (has_place || is_of_solid(sensor.quantity)))
-    place_on_solid(sensor,
-                   std::get<spatial::SolidPart>(tree.bodies[static_cast<std::size_t>(body)].shape),
-                   *solid, before, reading);
+  const auto* part =
+      std::get_if<spatial::SolidPart>(&tree.bodies[static_cast<std::size_t>(body)].shape);
+  if (part && (has_place || is_of_solid(sensor.quantity)))
+    place_on_solid(sensor, *part, *model.body, before, reading);
   else if (has_place)
-    place_section(sensor.position, model, reading);
+    kind_of(*model.body).place_reading(sensor.position, model, reading);
   if (!has_place) return reading;
   const space::Pose rest = calc_rest_pose(subsystem, body);
   reading.rest = {rest.p + rest.R * reading.section.s0, rest.R * reading.section.axes};
-  if (sensor.quantity == SensorQuantity::section_force) find_outboard(model, reading);
+  if (sensor.quantity == SensorQuantity::section_force)
+    kind_of(*model.body).find_outboard(model, reading);
   if (is_of_air(sensor.quantity))
     reading.along = find_in_air(sensor.position, subsystem.air->aerodynamics.station);
   return reading;

@@ -7,17 +7,17 @@
 #include <cstddef>
 
 #include "engine/formulation/structured.h"
+#include "engine/table/body_kind.h"
 #include "engine/table/step_data.h"
 
 namespace spoke {
 
-/// Declare the tension that implicit steps have of body j, if it has any.
+/// Declare the tension that implicit steps have of body j, if it has any; of a solid in nodal
+/// coordinates its tiles, and what of its terms lies between them.
 void declare_tension(std::size_t j, SubsystemData<Plane>& data);
-void declare_tension(std::size_t j, SubsystemData<Space>& data);
-
-/// Declare the tiles of a solid in nodal coordinates, and what of its terms lies between them.
-inline void declare_tiles(std::size_t, SubsystemData<Plane>&) {}
-void declare_tiles(std::size_t j, SubsystemData<Space>& data);
+inline void declare_tension(std::size_t j, SubsystemData<Space>& data) {
+  data.bodies[j].kind->declare_tension(j, data);
+}
 
 /// Declare the memory of the formulation `structured` for body j besides the elimination of its
 /// joint: its response, the workspace of that, its multi-port if that is no part of the response,

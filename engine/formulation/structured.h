@@ -14,6 +14,7 @@
 // root of its own, and (P 10) is their sum. Trees of rigid bodies alone are eliminated by masses.
 // Sources: structured/condense_body, effective_inertia and recovery; space/mass_elimination.
 
+#include "engine/table/body_kind.h"
 #include "engine/table/step_data.h"
 #include "engine/tree/joint_recovery.h"
 
@@ -44,11 +45,14 @@ struct alignas(kInterferenceSize) SubsystemWork {
 template <class World>
 void allocate(SubsystemData<World>& data, SubsystemWork<World>& work);
 
-/// Solves for W_theta and z and condenses a body to its multi-port; `twist`: of its frame.
+/// Solves for W_theta and z and condenses a body to its multi-port; `twist`: of its frame. In space
+/// as its kind does.
 void condense_body(const BodyData<Plane>& data, const Twist& twist, bool implicit,
                    BodyWork<Plane>& work) noexcept;
-void condense_body(BodyData<Space>& data, const space::Twist& twist, bool implicit,
-                   BodyWork<Space>& work) noexcept;
+inline void condense_body(BodyData<Space>& data, const space::Twist& twist, bool implicit,
+                          const BodyWork<Space>& work) noexcept {
+  data.kind->condense(twist, implicit, work, data);
+}
 
 /// Calculates effective mass and force (P 10): eliminates the joints from the tips to the roots,
 /// over which it sums in their order.
@@ -80,17 +84,9 @@ void recover_wrenches(const Subsystem<World>& subsystem, SubsystemWork<World>& w
 /// Calculates the accelerations of a body (P 7): X into `data.X`, qf'' into the flex vector `a`.
 void recover_body(const SubsystemData<Plane>& subsystem, std::size_t j, const BodyWork<Plane>& work,
                   bool implicit, BodyData<Plane>& data, double* a) noexcept;
-void recover_body(const SubsystemData<Space>& subsystem, std::size_t j, const BodyWork<Space>& work,
-                  bool implicit, BodyData<Space>& data, double* a) noexcept;
-
-// Of a solid in several slices condense_body() and recover_body() do what is between slices alone,
-// and these the rest: condense_slice() before it, recover_slice() behind it.
-
-/// Calculates the half solutions of slice p.
-void condense_slice(BodyData<Space>& body, int p, bool implicit) noexcept;
-/// Calculates the accelerations of slice p.
-void recover_slice(BodyData<Space>& body, int p, bool implicit) noexcept;
-/// Copies the accelerations of all into the flex vector `a`.
-void take_slices(const BodyData<Space>& body, double* a) noexcept;
+inline void recover_body(const SubsystemData<Space>&, std::size_t, const BodyWork<Space>& work,
+                         bool implicit, BodyData<Space>& data, double* a) noexcept {
+  data.kind->recover(work, implicit, data, a);
+}
 
 }  // namespace spoke::structured

@@ -2,28 +2,22 @@
 
 #include "engine/formulation/work.h"
 
-#include <cmath>
 #include <set>
 
 #include "engine/formulation/body_parts.h"
 #include "engine/formulation/tree_joints.h"
 #include "engine/kernels/dense_body.h"
-#include "engine/space/solid_block.h"
+#include "engine/table/body_kind.h"
 
 namespace spoke {
 namespace {
-
-/// Returns the factors of a spatial body's matrices in Mhat, the same in all formulations.
-space::BlockFactors factors_of(const ElasticShares& shares) {
-  return {shares.mass_factor, shares.stiffness_factor, shares.damping_factor};
-}
 
 plane::ElasticBlock make_block(const plane::FlexibleBody& body, const ElasticShares& shares) {
   return make_elastic_block(body, shares.mass_factor, shares.stiffness_factor,
                             shares.damping_factor);
 }
 space::Block make_block(const space::Body& body, const ElasticShares& shares) {
-  return space::make_block(body, factors_of(shares));
+  return kind_of(body).make_block(body, factors_of(shares));
 }
 
 /// Returns the dense Mhat of a body.
@@ -34,8 +28,7 @@ Eigen::MatrixXd make_dense_block(const plane::FlexibleBody& body, const ElasticS
                                   shares.damping_factor);
 }
 Eigen::MatrixXd make_dense_block(const space::Body& body, const ElasticShares& shares) {
-  const space::FlexibleBody* flexible = body.flexible();
-  if (flexible && flexible->is_nonlinear()) return make_dense_elastic_block(body, {});
+  if (kind_of(body).has_nonlinear_strain(body)) return make_dense_elastic_block(body, {});
   return make_dense_elastic_block(body, factors_of(shares));
 }
 
@@ -64,67 +57,19 @@ std::vector<std::vector<subsystem::DenseBlocks>> make_dense_blocks(const StepDat
   return blocks;
 }
 
-/// Hands a solid the matrices of its stiffening: in its tree, or by its own rotation.
-void add_solid_tension(const space::Solid& solid, BodyData<Space>& member,
-                       FormulationWork<Space>& work) {
-  const space::SolidConstants& constants = *solid.constants;
-  const auto& place = member.model->stiffening;
-  const bool is_own = constants.frame == spatial::SolidFrame::mean_axis;
-  if (!constants.is_stiffened || !(place || is_own)) return;
-  const space::SolidTension* in_tree = place ? place->solid.get() : nullptr;
-  const void* key = &constants;
-  if (in_tree) key = in_tree;
-  const auto at = work.solid_tensions.find(key);
-  member.solid_tension =
-      at != work.solid_tensions.end()
-          ? &at->second
-          : &work.solid_tensions.emplace(key, make_tension_columns(constants, in_tree))
-                 .first->second;
-}
+// What stiffens a body; in the plane only strains of second order, in implicit steps.
 
-/// Hands a solid in nodal coordinates its tiles, and memory for its kernels.
-void add_tiles(const space::Solid& solid, BodyData<Space>& member, FormulationWork<Space>& work) {
-  const auto& place = member.model->stiffening;
-  const space::SolidTension* tension = member.solid_tension && place ? place->solid.get() : nullptr;
-  const space::SolidConstants& constants = *solid.constants;
-  const auto [at, is_new] = work.tiles.try_emplace({&constants, tension});
-  if (is_new) at->second = space::make_nodal_tiles(constants, tension);
-  member.tiles = &at->second;
-  work.nodal_memory.push_back(std::make_unique<space::NodalMemory>());
-  space::place_nodal_work(solid, *member.tiles, *member.blocks[0]->solid, *member.blocks[1]->solid,
-                          *work.nodal_memory.back(), member.work);
-}
-
-// The tension of implicit steps; in the plane only that of strains of second order.
-
-void add_tension(const ElasticShares& implicit, BodyData<Plane>& member,
-                 FormulationWork<Plane>& work) {
+void make_tension(const ElasticShares& implicit, FormulationWork<Plane>& work,
+                  BodyData<Plane>& member) {
   if (implicit.tension_factor == 0.0 || !has_nonlinear_strain(member)) return;
   work.strains.push_back(std::make_unique<plane::ImplicitStrain>(plane::make_implicit_strain(
       *member.model->body,
       {implicit.stiffness_factor, implicit.damping_factor, implicit.tension_factor})));
   member.strain = work.strains.back().get();
 }
-void add_tension(const ElasticShares& implicit, BodyData<Space>& member,
-                 FormulationWork<Space>& work) {
-  if (const space::Solid* solid = member.model->body->solid()) {
-    add_solid_tension(*solid, member, work);
-    if (solid->constants->nodal()) add_tiles(*solid, member, work);
-    return;
-  }
-  const space::FlexibleBody* flexible = member.model->body->flexible();
-  if (implicit.tension_factor == 0.0 || !flexible) return;
-  if (flexible->is_nonlinear()) {
-    work.strains.push_back(std::make_unique<space::ImplicitStrain>(space::make_implicit_strain(
-        *flexible, factors_of(implicit), implicit.tension_factor, *member.blocks[0]->elastic)));
-    member.strain = work.strains.back().get();
-    return;
-  }
-  if (!member.model->stiffening) return;
-  work.tensions.push_back(std::make_unique<space::ImplicitTension>(
-      space::make_implicit_tension(*flexible, *member.model->stiffening, factors_of(implicit),
-                                   implicit.tension_factor, *member.blocks[1]->elastic)));
-  member.tension = work.tensions.back().get();
+void make_tension(const ElasticShares& implicit, FormulationWork<Space>& work,
+                  BodyData<Space>& member) {
+  member.kind->make_tension(implicit, work, member);
 }
 
 template <class World>
@@ -140,9 +85,8 @@ void make_elastic_blocks(const ElasticShares& implicit, StepData<World>& data,
         at->second[1] = make_block(body, implicit);
       }
       member.blocks = {&at->second[0], &at->second[1]};
-      add_tension(implicit, member, work);
+      make_tension(implicit, work, member);
       declare_tension(j, subsystem);
-      declare_tiles(j, subsystem);
     }
 }
 
@@ -160,73 +104,18 @@ double estimate_table(const TreeBody<Plane>& member) {
   return (190.0 + strain) * member.body->coordinates() + 3100.0;
 }
 
-/// Counts the factors of one block.
-double estimate_factors(const space::FlexibleBody& body) {
-  constexpr double kBlock = Space::kTwist * Space::kTwist;
-  constexpr double kMomentum = 3.0 * Space::kTwist;
-  double numbers = body.node_count() * (2.0 * kBlock + kMomentum);
-  for (const int node : body.handles)
-    if (node >= body.first_node()) numbers += kBlock * (body.node_count() - node);
-  return sizeof(double) * numbers;
-}
-/// Counts the matrices of a solid, with those that kernels read, and its half solutions.
-double estimate_constants(const space::Solid& solid) {
-  const double n = solid.coordinates();
-  const auto places = static_cast<double>(solid.constants->places.size());
-  const double rows =
-      2.0 * n * (space::kSolidRow + space::kHandleRow * static_cast<double>(solid.handles.size()));
-  if (const space::ReducedSolid* reduced = solid.constants->reduced())
-    return sizeof(double) * (rows + static_cast<double>(reduced->shapes.size()) +
-                             2.0 * n * n * (9.0 + 9.0 + 6.0 * places));
-  const space::NodalSolid& nodal = *solid.constants->nodal();
-  constexpr double kEntry = sizeof(double) + sizeof(int);
-  // The factor of a slender body of 20,000 coordinates has 13 n^(4/3) entries, that of a block
-  // more.
-  const double factors = 2.0 * 20.0 * std::pow(n, 4.0 / 3.0);
-  // Tiles have K and Mff by four rows where three have the same columns, and m with its forms.
-  const double tiles = (8.0 / 3.0 + 0.2) * static_cast<double>(nodal.K.nonZeros()) +
-                       11.0 * static_cast<double>(nodal.m.nonZeros());
-  return sizeof(double) * (rows + factors + tiles) +
-         kEntry * static_cast<double>(nodal.K.nonZeros() + nodal.Xi.nonZeros()) +
-         static_cast<double>(nodal.m.nonZeros()) * (kEntry + sizeof(double) * (9.0 + 6.0 * places));
-}
-/// Counts elements, the matrices M, K and D, slots, and the factors of both constant blocks.
 double estimate_constants(const space::Body& body) {
-  if (const space::Solid* solid = body.solid()) return estimate_constants(*solid);
-  const space::FlexibleBody* flexible = body.flexible();
-  if (flexible == nullptr) return sizeof(space::Body);
-  constexpr double kBlock = Space::kTwist * Space::kTwist;
-  constexpr double kSlots =
-      2.0 * space::kNodeSlots * space::kNodeSlots + space::kElementSlots + 1.0;
-  constexpr double kMomentum = 3.0 * Space::kTwist;
-  const double nodes = flexible->node_count();
-  double numbers = nodes * (6.0 * kBlock + kSlots + kMomentum);  // numbers of the body
-  return sizeof(double) * numbers + flexible->elements * sizeof(space::BeamElement) +
-         2.0 * estimate_factors(*flexible);
-}
-/// Counts the factors, and the matrices that are added to them.
-double estimate_tension(const space::FlexibleBody& body) {
-  constexpr double kBlock = Space::kTwist * Space::kTwist;
-  const double numbers = body.node_count() * (2.0 * kBlock + 3.0 * Space::kTwist);
-  return estimate_factors(body) + sizeof(double) * numbers +
-         body.elements * sizeof(space::ImplicitTension::Element);
+  return kind_of(body).estimate_constants(body);
 }
 double estimate_table(const TreeBody<Space>& member) {
+  const BodyKind<Space>& kind = kind_of(*member.body);
   const auto history = static_cast<int>(CoordinateBlock{}.history.size());
   const auto vectors =
       static_cast<std::size_t>(space::make_layout(*member.body).stride() * (4 + history));
   // The state from which a failure can be repeated is a copy of the state.
   const std::size_t numbers = 2 * (vectors + space::count_state(member.joint.joint, history)) +
-                              space::count_fields(*member.body);
-  // A body under tension has the factors of its own implicit block (see estimate_constants).
-  const space::FlexibleBody* flexible = member.body->flexible();
-  const bool has_own_block = flexible && (member.stiffening || flexible->is_nonlinear());
-  const double tension = has_own_block ? estimate_tension(*flexible) : 0.0;
-  // Rows, half solutions and motions of a solid in nodal coordinates (engine/space/nodal_memory.h).
-  const space::Solid* solid = member.body->solid();
-  const double nodal =
-      solid && solid->constants->nodal() ? 16.0 * sizeof(double) * solid->coordinates() : 0.0;
-  return tension + nodal +
+                              kind.count_work(*member.body);
+  return kind.estimate_own(member) +
          static_cast<double>(sizeof(double) * numbers + sizeof(BodyData<Space>) +
                              sizeof(structured::BodyWork<Space>) + sizeof(space::JointMotion) +
                              sizeof(space::Pose) + 3 * sizeof(space::Twist));

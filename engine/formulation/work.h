@@ -22,6 +22,11 @@ struct ElasticShares {
   double tension_factor = 0.0;  ///< beta' h^2 [s^2]; 0: see engine/space/implicit_tension.h
 };
 
+/// Returns the factors of a spatial body's matrices in Mhat, the same in all formulations.
+inline space::BlockFactors factors_of(const ElasticShares& shares) {
+  return {shares.mass_factor, shares.stiffness_factor, shares.damping_factor};
+}
+
 /// Memory of the chosen formulation besides the table; that of the others stays empty.
 template <class World>
 struct FormulationWork {

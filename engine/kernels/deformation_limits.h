@@ -3,7 +3,7 @@
 // How far a body may deform: the range of linear elasticity, beyond which results are doubtful, and
 // limits beyond which its linear model means nothing.
 
-#include "engine/table/step_data.h"
+#include "engine/table/body_kind.h"
 
 namespace spoke {
 
@@ -12,11 +12,15 @@ namespace spoke {
 double find_large_deflection(const BodyData<Plane>& body) noexcept;
 
 /// The same measure for a spatial body; 0 for a rigid one.
-double find_large_deflection(const BodyData<Space>& body) noexcept;
+inline double find_large_deflection(const BodyData<Space>& body) noexcept {
+  return body.kind->find_large_deflection(body);
+}
 
 /// Whether a coordinate is not finite or beyond its limit.
 bool has_left_limits(const BodyData<Plane>& body) noexcept;
-bool has_left_limits(const BodyData<Space>& body) noexcept;
+inline bool has_left_limits(const BodyData<Space>& body) noexcept {
+  return body.kind->has_left_limits(body);
+}
 
 /// A deformation coordinate that has left its limits.
 struct LimitViolation {

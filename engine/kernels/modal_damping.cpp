@@ -5,24 +5,19 @@
 #include <algorithm>
 #include <cassert>
 
-#include "engine/space/body_data.h"
+#include "engine/table/body_kind.h"
 
 namespace spoke {
 namespace {
 
-/// Calls visit(coordinate, its place in the right-hand side).
-template <class Visit>
-void visit_forces(BodyData<Plane>& body, const Visit& visit) {
+/// Adds factor times the weights of a mode to the right-hand side of a body.
+void add_forces(double factor, Eigen::Index mode, BodyData<Plane>& body) {
+  const Eigen::MatrixXd& weights = body.model->modal.weights;
   for (int k = 0; k < body.model->body->coordinates(); ++k)
-    visit(k, body.Q_f[body.layout.offset(k)]);
+    body.Q_f[body.layout.offset(k)] += factor * weights(k, mode);
 }
-template <class Visit>
-void visit_forces(BodyData<Space>& body, const Visit& visit) {
-  const space::FlexibleBody& flexible = *body.model->body->flexible();
-  for (int node = flexible.first_node(); node < flexible.node_count(); ++node)
-    for (int c = 0; c < space::kTwist; ++c)
-      if (const int k = flexible.coordinate(node, c); k >= 0)
-        visit(k, body.work.rows[space::kNodeRows * node + 4 * c + 3]);
+void add_forces(double factor, Eigen::Index mode, BodyData<Space>& body) {
+  body.kind->add_forces(factor, body.model->modal.weights.col(mode).data(), body);
 }
 
 /// Returns w.x of one mode over a body's coordinates, x a flex vector.
@@ -64,7 +59,7 @@ void add_modal_damping(const ArenaVector<double>& modal_forces, BodyData<World>&
   const ModalShare& share = body.model->modal;
   for (Eigen::Index mode = 0; mode < share.weights.cols(); ++mode) {
     const double force = modal_forces[static_cast<std::size_t>(share.first + mode)];
-    visit_forces(body, [&](int k, double& row) { row -= share.weights(k, mode) * force; });
+    add_forces(-force, mode, body);
     body.terms.dissipation += force * project(body, mode, body.coordinates.v);
   }
 }

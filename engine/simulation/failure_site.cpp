@@ -8,11 +8,8 @@
 
 #include "engine/kernels/deformation_limits.h"
 #include "engine/plane/body_energies.h"
-#include "engine/space/body_energies.h"
-#include "engine/space/deformation_limits.h"
-#include "engine/space/solid_limits.h"
-#include "engine/space/solid_terms.h"
 #include "engine/step/stages.h"
+#include "engine/table/body_kind.h"
 
 namespace spoke {
 namespace {
@@ -31,36 +28,13 @@ std::string name_coordinate(const plane::FlexibleBody& body, int coordinate) {
   return "coordinate " + std::to_string(coordinate);
 }
 
-/// Returns a name like "rotation ty of node 3".
-std::string name_coordinate(int node, int component) {
-  assert(node >= 0 && component >= 0 && component < space::kTwist);
-  static constexpr const char* kNames[] = {"displacement u", "displacement v", "displacement w",
-                                           "rotation tx",    "rotation ty",    "rotation tz"};
-  return std::string(kNames[component]) + " of node " + std::to_string(node);
-}
-
-/// A coordinate that is not finite or beyond its limit; if its name is empty, there is none.
-struct Violation {
-  std::string coordinate;
-  double value = 0.0;
-  double limit = 0.0;
-};
-Violation find_violation(const BodyData<Plane>& body) {
+CoordinateViolation find_violation(const BodyData<Plane>& body) {
   const LimitViolation found = find_limit_violation(body);
   if (found.coordinate < 0) return {};
   return {name_coordinate(*body.model->body, found.coordinate), found.value, found.limit};
 }
-Violation find_violation(const BodyData<Space>& body) {
-  if (const space::Solid* solid = body.model->body->solid()) {
-    const space::ModeViolation found = find_limit_violation(*solid, body.coordinates.q);
-    if (found.coordinate < 0) return {};
-    return {name_coordinate(*solid->constants, found.coordinate), found.value, found.limit};
-  }
-  const space::FlexibleBody* flexible = body.model->body->flexible();
-  if (!flexible) return {};
-  const space::LimitViolation found = space::find_limit_violation(*flexible, body.coordinates.q);
-  if (found.node < 0) return {};
-  return {name_coordinate(found.node, found.component), found.value, found.limit};
+CoordinateViolation find_violation(const BodyData<Space>& body) {
+  return body.kind->find_violation(body);
 }
 
 /// Returns the first coordinate without an acceleration; empty if there is none.
@@ -70,17 +44,7 @@ std::string find_lost(const BodyData<Plane>& body) {
     if (!std::isfinite(body.a_found[body.layout.offset(k)])) return name_coordinate(model, k);
   return {};
 }
-std::string find_lost(const BodyData<Space>& body) {
-  if (const space::Solid* solid = body.model->body->solid())
-    for (int k = 0; k < solid->coordinates(); ++k)
-      if (!std::isfinite(body.a_found[k])) return name_coordinate(*solid->constants, k);
-  const space::FlexibleBody* flexible = body.model->body->flexible();
-  for (int node = 0; flexible && node < flexible->node_count(); ++node)
-    for (int c = 0; c < space::kTwist; ++c)
-      if (const int at = flexible->coordinate(node, c); at >= 0 && !std::isfinite(body.a_found[at]))
-        return name_coordinate(node, c);
-  return {};
-}
+std::string find_lost(const BodyData<Space>& body) { return body.kind->find_lost(body); }
 
 double sum_of(const BodyLoad<Plane>& load) { return load.force.x() + load.force.y() + load.moment; }
 double sum_of(const BodyLoad<Space>& load) { return load.force.sum() + load.moment.sum(); }
@@ -93,14 +57,9 @@ std::string name_load(const BodyLoad<Plane>& load) {
 std::string name_load(const BodyLoad<Space>&) { return "a load on it"; }
 
 double strain_energy_of(const BodyData<Plane>& body) { return calc_strain_energy(body); }
-double strain_energy_of(const BodyData<Space>& body) {
-  if (const space::Solid* solid = body.model->body->solid())
-    return space::calc_strain_energy(*solid, body.coordinates.q);
-  const space::FlexibleBody* flexible = body.model->body->flexible();
-  return flexible ? space::calc_strain_energy(*flexible, body.coordinates.q, body.work) : 0.0;
-}
+double strain_energy_of(const BodyData<Space>& body) { return body.kind->calc_strain_energy(body); }
 
-std::string describe_violation(const Violation& violation) {
+std::string describe_violation(const CoordinateViolation& violation) {
   if (!std::isfinite(violation.value)) return kNotFinite;
   std::ostringstream text;
   text << " = " << violation.value << " is beyond what its linear model can mean (limit "
@@ -148,7 +107,7 @@ FailureSite find_worst(const StepData<World>& data) {
   FailureSite worst;
   double largest = 0.0;
   for_each_failed(data, [&](int i, int j, const BodyData<World>& body) {
-    const Violation violation = find_violation(body);
+    const CoordinateViolation violation = find_violation(body);
     if (violation.coordinate.empty()) return;
     const double severity =
         std::isfinite(violation.value) ? std::abs(violation.value) / violation.limit : HUGE_VAL;

@@ -13,6 +13,7 @@
 #include "engine/space/joint_values.h"
 #include "engine/space/supported_rotor.h"
 #include "engine/support/memory.h"
+#include "engine/table/body_kind.h"
 #include "models/error.h"
 #include "models/system/spatial_system.h"
 
@@ -93,10 +94,7 @@ double SpatialModel::energy_resolution() const {
   double stiffness = 0.0;
   for (const Subsystem<Space>& subsystem : context_.system.subsystems)
     for (const TreeBody<Space>& body : subsystem.bodies)
-      if (const space::FlexibleBody* flexible = body.body->flexible())
-        for (const space::TwistMatrix& block : flexible->K.diagonal) stiffness += block.trace();
-      else if (const space::Solid* solid = body.body->solid())
-        stiffness += calc_stiffness_trace(*solid->constants);
+      kind_of(*body.body).add_stiffness_trace(*body.body, stiffness);
   return 0.5 * stiffness * tolerance * tolerance;
 }
 

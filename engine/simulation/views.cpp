@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "engine/kernels/modal_damping.h"
 #include "engine/plane/section.h"
 #include "engine/space/relative_motion.h"
+#include "engine/table/body_kind.h"
 #include "models/error.h"
 #include "models/support/nearest_name.h"
 
@@ -165,20 +167,15 @@ Wrench calc_section_force(const SystemContext<Space>& context, const Marker& mar
   const auto index = static_cast<std::size_t>(marker.blade);
   const SubsystemData<Space>& data = context.data.subsystems[index];
   const BodyData<Space>& body = data.bodies[static_cast<std::size_t>(marker.body)];
-  const space::FlexibleBody* flexible = body.model->body->flexible();
-  if (!flexible)
-    throw InputError("section_force(): the marker is on a " +
-                     std::string(body.model->body->rigid() ? "rigid body" : "solid") +
-                     ", expected one on a beam");
-  const space::Section& section = placed.section;
-  const CoordinateBlock& c = body.coordinates;
-  space::Twist sum =
-      calc_section_load(*flexible, section, c.q).resultants +
-      calc_section_damping(*flexible, section, context.system.damping.stiffness_factor, c.q, c.v);
   const std::vector<double> modal =
       calc_modal_deformation(context.system.subsystems[index], data, body);
-  if (!modal.empty()) sum += calc_section_stress(*flexible, section, modal.data());
-  return wrench_in_space(sum);
+  const std::optional<space::Twist> stress =
+      body.kind->calc_stress(body, placed.section, context.system.damping.stiffness_factor,
+                             modal.empty() ? nullptr : modal.data());
+  if (!stress)
+    throw InputError("section_force(): the marker is on a " + std::string(body.kind->name()) +
+                     ", expected one on a beam");
+  return wrench_in_space(*stress);
 }
 
 MarkerState calc_hub_frame(const SystemContext<Plane>& context, double) {

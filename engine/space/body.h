@@ -41,10 +41,6 @@ struct Layout {
 Layout make_layout(const Body& body);
 /// Sets which places of flex vectors hold coordinates: all.
 void set_extent(const Layout& layout, CoordinateBlock& block);
-/// Returns the sum of the squares of all coordinates up to which no deflection is above `range`
-/// [m].
-double calc_surely_linear(const Body& body, double range);
-
 /// The constant block of a flexible body, or the multi-port of a rigid one.
 struct Block {
   std::optional<ElasticBlock> elastic;
@@ -52,9 +48,6 @@ struct Block {
   std::optional<SolidBlock> solid;
   std::optional<ReducedProducts> products;  ///< of a reduced solid, in its explicit block
 };
-
-/// Makes it; factors: of Mff, K and the damping of sections or of a solid's modes.
-Block make_block(const Body& body, const BlockFactors& factors);
 
 /// Data of the joint that carries a body. Its arrays lie in the body's storage.
 struct JointData {
@@ -75,6 +68,7 @@ struct SlideState {
 
 /// Fields of a spatial body in the table.
 struct BodyFields {
+  const BodyKind<Space>* kind = nullptr;  ///< chosen once, when the table is allocated
   BodyWork work;
   ImplicitTension* tension = nullptr;  ///< tension in implicit steps; null: none
   ImplicitStrain* strain = nullptr;    ///< strains of second order in implicit steps; null: none
@@ -91,15 +85,8 @@ struct BodyFields {
 /// Counts the doubles that the state of the joint that carries a body takes; `history`: vectors of
 /// coordinates that the integrator keeps.
 std::size_t count_state(const Joint& joint, int history);
-/// Counts the doubles that the fields of a body take that are no state.
-std::size_t count_fields(const Body& body);
-/// Place them in so much memory, which is zero and aligned to 16 bytes.
+/// Places it in so much memory, which is zero and aligned to 16 bytes.
 void place_state(const Joint& joint, int history, double* memory, BodyFields& fields);
-void place_fields(const Body& body, double* memory, BodyFields& fields);
-
-/// Makes the section at `s` of an element, 0 at its inboard end, 1 at the outboard end.
-/// Precondition: the body is flexible.
-Section make_section(const Body& body, int element, double s);
 
 /// The wrench of the joint that carries a body on its inboard handle, in its frame: the multipliers
 /// of (P 8).

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "engine/space/bodies/beam/body_slots.h"
 #include "engine/space/body_scratch.h"
-#include "engine/space/body_slots.h"
 #include "engine/space/body_stiffening.h"
 #include "engine/space/element_products.h"
 #include "engine/space/nonlinear_strain.h"

@@ -5,13 +5,10 @@
 #include <cassert>
 #include <utility>
 
-#include "engine/kernels/dense_body.h"
 #include "engine/space/solid_block.h"
-#include "engine/space/table_terms.h"
 #include "models/space/nodal_mass.h"
 
-namespace spoke {
-namespace space {
+namespace spoke::space {
 namespace {
 
 /// Calls `visit(coordinate, rows of four)` for all coordinates of the flex vector.
@@ -169,60 +166,4 @@ void calc_handle_jacobian(const Solid& body, int handle, const BodyWork& work,
   }
 }
 
-}  // namespace space
-
-// The functions for a body of the table, flexible or rigid.
-
-Eigen::MatrixXd make_dense_elastic_block(const space::Body& body,
-                                         const space::BlockFactors& factors) {
-  if (const space::FlexibleBody* flexible = body.flexible())
-    return space::make_dense_elastic_block(*flexible, factors);
-  if (const space::Solid* solid = body.solid())
-    return space::make_dense_elastic_block(*solid, factors);
-  return {};
-}
-
-void calc_dense_mass(const BodyData<Space>& data, const Eigen::MatrixXd& elastic, bool implicit,
-                     Eigen::Ref<Eigen::MatrixXd> mass) {
-  assert(mass.rows() == dense_size(*data.model->body) && mass.cols() == mass.rows());
-  if (const space::Solid* solid = data.model->body->solid())
-    return space::calc_dense_mass(*solid, data.terms, data.work, elastic, mass);
-  const space::FlexibleBody* flexible = data.model->body->flexible();
-  if (!flexible) {
-    mass = (data.carried ? data.carried->mass : rigid_mass_of(data)).matrix();
-    return;
-  }
-  space::calc_dense_mass(*flexible, data.terms, data.work, elastic, mass);
-  auto deformation = mass.bottomRightCorner(elastic.rows(), elastic.cols());
-  if (implicit && has_implicit_tension(data))
-    space::add_dense(*flexible, data.tension->stiffness, deformation);
-  if (!implicit || !data.strain) return;
-  space::add_dense(*flexible, data.strain->added, deformation);
-  space::shift_dense(*flexible, data.strain->shift, deformation);
-}
-
-void calc_dense_force(const BodyData<Space>& data, Eigen::Ref<Eigen::VectorXd> force) {
-  if (const space::FlexibleBody* flexible = data.model->body->flexible())
-    space::calc_dense_force(*flexible, data.terms, data.work, force);
-  else if (const space::Solid* solid = data.model->body->solid())
-    space::calc_dense_force(*solid, data.terms, data.work, force);
-  else
-    force = data.terms.Q;
-}
-
-void calc_handle_jacobian(const BodyData<Space>& data, int handle, Eigen::Ref<Eigen::MatrixXd> J) {
-  assert(handle >= 0 && handle < data.work.port.handles);
-  if (const space::FlexibleBody* flexible = data.model->body->flexible())
-    return space::calc_handle_jacobian(*flexible, handle, data.work, J);
-  if (const space::Solid* solid = data.model->body->solid())
-    return space::calc_handle_jacobian(*solid, handle, data.work, J);
-  J.setIdentity();
-  J.topRightCorner<3, 3>() = -space::skew(data.work.handles[handle].s);
-}
-
-space::Twist calc_handle_bias(const BodyData<Space>& data, int handle, const space::Twist& twist) {
-  assert(handle >= 0 && handle < data.work.port.handles);
-  return data.work.handles[handle].bias(angular(twist));
-}
-
-}  // namespace spoke
+}  // namespace spoke::space

@@ -1,18 +1,19 @@
-// Goes through the stretches of memory of a flexible body.
+// Goes through the stretches of memory of a body.
 
 #include "engine/space/fetch_ahead.h"
 
 #include "engine/support/prefetch.h"
+#include "engine/table/body_kind.h"
 
 namespace spoke {
 namespace {
 
-/// Fetches the data of the bodies behind, and returns the next one if it is flexible; else null.
+/// Fetches the data of the bodies behind, and returns the next one if it has rows; else null.
 const BodyData<Space>* find_next(const SubsystemData<Space>& data, std::size_t j) {
   if (!data.outgrows_cache || j + 2 >= data.bodies.size()) return nullptr;
   prefetch(&data.bodies[j + 2], sizeof data.bodies[j + 2]);
   const BodyData<Space>& next = data.bodies[j + 1];
-  return next.model->body->flexible() ? &next : nullptr;
+  return next.kind->rows_of(next).empty() ? nullptr : &next;
 }
 
 /// Fetches the coordinates of a body with their history, which stand together.
@@ -24,8 +25,7 @@ void fetch_state(const BodyData<Space>& body) {
 
 /// Returns the bytes of the rows of a body, and of its half solutions.
 std::size_t bytes_of_rows(const BodyData<Space>& body) {
-  return sizeof(double) * static_cast<std::size_t>(space::kNodeRows) *
-         static_cast<std::size_t>(body.model->body->flexible()->node_count());
+  return body.kind->rows_of(body).size_bytes();
 }
 
 }  // namespace

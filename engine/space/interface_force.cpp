@@ -6,7 +6,7 @@
 
 #include "engine/kernels/loop_motion.h"
 #include "engine/kernels/loop_readings.h"
-#include "engine/space/table_terms.h"
+#include "engine/space/table_access.h"
 
 namespace spoke {
 namespace {
@@ -14,10 +14,10 @@ namespace {
 /// Returns the wrenches of the bodies that the solid carries at a place, about it, in B.
 space::Twist sum_children(const TreeBody<Space>& model, const SubsystemData<Space>& data,
                           int place) {
-  const space::Solid& solid = *model.body->solid();
+  const BodyView<Space>& solid = kind_of(*model.body);
   space::Twist sum = space::Twist::Zero();
   for (std::size_t h = 1; h <= model.children.size(); ++h) {
-    if (solid.handles[h] != place) continue;
+    if (solid.place_of_handle(*model.body, h) != place) continue;
     const auto child = static_cast<std::size_t>(model.children[h - 1]);
     const space::JointMotion& joint = data.joints[child];
     sum -= translate(joint.p, joint.R * data.joint_loads[child]);
@@ -43,9 +43,10 @@ space::Twist sum_loads(const SubsystemData<Space>& data, const BodyData<Space>& 
 space::Twist sum_loops(const System<Space>& system, std::size_t i, double t, int j, int place,
                        const space::Position& p, const StepData<Space>& data) {
   const Subsystem<Space>& subsystem = system.subsystems[i];
-  const space::Solid& solid = *subsystem.bodies[static_cast<std::size_t>(j)].body->solid();
+  const space::Body& body = *subsystem.bodies[static_cast<std::size_t>(j)].body;
   const auto is_here = [&](const LoopPlaceModel& end) {
-    return end.body == j && solid.handles[static_cast<std::size_t>(end.handle)] == place;
+    return end.body == j &&
+           kind_of(body).place_of_handle(body, static_cast<std::size_t>(end.handle)) == place;
   };
   space::Twist sum = space::Twist::Zero();
   for (std::size_t k = 0; k < subsystem.loops.size(); ++k) {
@@ -70,7 +71,7 @@ space::Twist calc_interface_force(const System<Space>& system, std::size_t i, do
   const SubsystemData<Space>& own = data.subsystems[i];
   const int place = reading.section.place_number;
   const auto j = static_cast<std::size_t>(reading.body());
-  assert(place >= 0 && own.bodies[j].model->body->solid());
+  assert(place >= 0);
   const BodyData<Space>& body = own.bodies[j];
   const space::Pose& X_HB = own.poses[j];
   const space::Position p = X_HB.p + X_HB.R * motion_at(body, reading.section).s;

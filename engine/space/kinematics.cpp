@@ -10,8 +10,8 @@
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/pitch_control.h"
 #include "engine/space/hub_motion.h"
-#include "engine/space/solid_places.h"
-#include "engine/space/table_terms.h"
+#include "engine/space/table_access.h"
+#include "engine/table/body_kind.h"
 
 namespace spoke {
 namespace {
@@ -36,13 +36,6 @@ Carrier find_carrier(const TreeBody<Space>& body, const SubsystemData<Space>& da
   Carrier carrier{handle.turn.R, v + handle.twist()};
   linear(carrier.twist) += cross(angular(v), handle.s);
   return carrier;
-}
-
-/// A rigid body's handles do not move against its frame.
-void place_rigid_handles(const space::RigidBody& body, HandleMotion* handles) {
-  handles[0] = space::make_fixed_handle(space::Position::Zero());
-  for (std::size_t h = 0; h < body.outboard.size(); ++h)
-    handles[h + 1] = space::make_fixed_handle(body.outboard[h]);
 }
 
 /// Returns mean + cosine cos(psi) + sine sin(psi) of the azimuth psi, with its derivatives.
@@ -111,20 +104,10 @@ bool has_tension(const PassControl& control, const SubsystemData<Space>& subsyst
 
 /// Returns the angular acceleration of the section at a handle besides that of the frame: H th'' +
 /// b.
-Angular calc_section_acceleration(const BodyData<Space>& body, std::size_t handle,
-                                  const Angular& w) {
-  assert(std::cmp_less(handle, body.work.port.handles));
-  const HandleMotion& motion = body.work.handles[handle];
-  Angular sum = angular(motion.bias(w));
-  if (const space::Solid* solid = body.model->body->solid())
-    return sum + Angular(angular(
-                     calc_place_deformation(solid->handle(handle), motion, body.coordinates.a)));
-  const space::FlexibleBody* flexible = body.model->body->flexible();
-  if (!flexible) return sum;
-  for (int c = 0; c < 3; ++c)
-    if (const int at = flexible->coordinate(flexible->handles[handle], space::kRotation + c);
-        at >= 0)
-      sum += body.coordinates.a[at] * motion.turn.H.col(c);
+Angular calc_section_acceleration(const BodyData<Space>& body, int handle, const Angular& w) {
+  assert(handle >= 0 && handle < body.work.port.handles);
+  Angular sum = angular(body.work.handles[handle].bias(w));
+  body.kind->add_handle_turning(body, handle, sum);
   return sum;
 }
 
@@ -173,18 +156,10 @@ void prescribe_joints(const System<Space>& system, double t, std::size_t i,
   }
 }
 
-void calc_rotations(const Subsystem<Space>& subsystem, SubsystemData<Space>& data) noexcept {
+void calc_rotations([[maybe_unused]] const Subsystem<Space>& subsystem,
+                    SubsystemData<Space>& data) noexcept {
   assert(data.bodies.size() == subsystem.bodies.size());
-  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
-    BodyData<Space>& body = data.bodies[j];
-    const space::Body& model = *subsystem.bodies[j].body;
-    if (const space::FlexibleBody* flexible = model.flexible())
-      calc_handles(*flexible, body.coordinates.q, body.coordinates.v, body.work.handles);
-    else if (const space::Solid* solid = model.solid())
-      calc_handles(*solid, body.coordinates.q, body.coordinates.v, body.work.handles);
-    else
-      place_rigid_handles(*model.rigid(), body.work.handles);
-  }
+  for (BodyData<Space>& body : data.bodies) body.kind->place_handles(body);
 }
 
 void calc_velocities(const Subsystem<Space>& subsystem, SubsystemData<Space>& data) noexcept {
@@ -194,14 +169,7 @@ void calc_velocities(const Subsystem<Space>& subsystem, SubsystemData<Space>& da
     const Carrier carrier = find_carrier(model, data);
     calc_joint_motion(model.joint.joint, joint_state_of(data.bodies[j]), carrier.section,
                       carrier.twist, data.joints[j], data.twists[j]);
-    const space::FlexibleBody* flexible = model.body->flexible();
-    if (flexible && flexible->reference_frame == ReferenceFrame::chord)
-      leave_section(data.bodies[j].work.handles[0].turn, data.joints[j], data.twists[j]);
-    if (model.body->moves_inboard()) {
-      const HandleMotion& handle = data.bodies[j].work.handles[0];
-      leave_section(handle.turn, data.joints[j], data.twists[j]);
-      linear(data.twists[j]) -= cross(angular(data.twists[j]), handle.s) + handle.velocity;
-    }
+    data.bodies[j].kind->leave_inboard(data.bodies[j], data.joints[j], data.twists[j]);
   }
 }
 
@@ -220,8 +188,8 @@ void set_angular_accelerations(const System<Space>& system, std::size_t i,
     if (model.parent >= 0) {
       const auto p = static_cast<std::size_t>(model.parent);
       const BodyData<Space>& parent = subsystem.bodies[p];
-      sum = parent.alpha + calc_section_acceleration(parent, static_cast<std::size_t>(model.handle),
-                                                     angular(subsystem.twists[p]));
+      sum = parent.alpha +
+            calc_section_acceleration(parent, model.handle, angular(subsystem.twists[p]));
     }
     sum += angular(joint.bias);
     for (int c = 0; c < body.joint.coordinates.size; ++c)

@@ -7,9 +7,8 @@
 #include <utility>
 
 #include "engine/kernels/kinematics.h"
-#include "engine/space/body_energies.h"
-#include "engine/space/solid_table_terms.h"
-#include "engine/space/table_terms.h"
+#include "engine/space/table_access.h"
+#include "engine/table/body_kind.h"
 
 namespace spoke {
 namespace {
@@ -56,8 +55,7 @@ space::DrawnInward calc_drawn_on(const SubsystemData<Space>& data,
                                  const PlacedMarker<Space>& marker) {
   const BodyData<Space>& body = data.bodies[static_cast<std::size_t>(marker.body)];
   if (!body.model->stiffening) return {};
-  const space::DrawnInward drawn =
-      calc_section_drawn(body, marker.section, body.coordinates.q, body.coordinates.v);
+  const space::DrawnInward drawn = body.kind->calc_section_drawn(body, marker.section);
   const space::Rotation& R_HB = body.model->stiffening->R_HB;
   return {R_HB * drawn.place, R_HB * drawn.rate};
 }
@@ -72,8 +70,7 @@ space::DrawnInward calc_drawn_inboard(const SubsystemData<Space>& data, int oute
       pass -= (pass * slide->axis) * slide->axis.transpose();
     const BodyData<Space>& body = data.bodies[static_cast<std::size_t>(model->parent)];
     if (body.model->stiffening) {
-      const space::DrawnInward drawn =
-          calc_handle_drawn(body, model->handle, body.coordinates.q, body.coordinates.v);
+      const space::DrawnInward drawn = body.kind->calc_handle_drawn(body, model->handle);
       sum.place += pass * (body.model->stiffening->R_HB * drawn.place);
       sum.rate += pass * (body.model->stiffening->R_HB * drawn.rate);
     }
@@ -157,7 +154,7 @@ space::Twist calc_marker_acceleration(const space::Position& gravity,
   const space::HandleMotion motion = motion_at(body, marker.section);
   const space::Angular w = angular(data.twists[j]);
   const space::Twist local =
-      calc_section_acceleration(body, marker.section, motion, body.X, w, body.a_found);
+      body.kind->calc_section_acceleration(body, marker.section, motion, body.X, w, body.a_found);
   space::Twist acceleration =
       data.hub->R * calc_rotation_to_hub(subsystem, data, marker.body) * local;
   linear(acceleration) += gravity;
@@ -175,18 +172,8 @@ space::Position calc_marker_foreshortening(const Subsystem<Space>& subsystem,
         std::exchange(handle, subsystem.bodies[static_cast<std::size_t>(j)].handle);
     if (!body.model->stiffening) continue;
     const space::Rotation R = calc_rotation_to_hub(subsystem, data, j);
-    const double *q = body.coordinates.q, *v = body.coordinates.v;
-    if (const space::Solid* solid = body.model->body->solid()) {
-      const int place = j == marker.body ? marker.section.place_number
-                                         : solid->handles[static_cast<std::size_t>(of_child)];
-      sum -= R * calc_solid_drawn(body, place, q, v, nullptr).place;
-      continue;
-    }
-    const space::BodyModel model = body_model_of(body);
-    const double shortened =
-        j == marker.body ? calc_foreshortening(model, marker.section, q, q, q, body.work).length
-                         : calc_foreshortening(model, q, body.work);
-    sum += R * space::Position(shortened, 0.0, 0.0);
+    sum -= R * (j == marker.body ? body.kind->calc_shown_drawn(body, marker.section)
+                                 : body.kind->calc_shown_drawn(body, of_child));
   }
   return sum;
 }

@@ -154,9 +154,8 @@ class MassLoop {
 }  // namespace
 
 bool has_rigid_bodies_alone(const SubsystemData<Space>& data) {
-  for (const BodyData<Space>& body : data.bodies)
-    if (body.model->body->flexible() || body.model->body->solid()) return false;
-  return true;
+  return std::all_of(data.bodies.begin(), data.bodies.end(),
+                     [](const BodyData<Space>& body) { return body.kind->has_mass_alone(); });
 }
 
 void join_children_by_mass(const Subsystem<Space>& subsystem, std::size_t j,

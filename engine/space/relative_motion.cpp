@@ -5,10 +5,8 @@
 #include <cassert>
 
 #include "engine/kernels/hub_motion.h"
-#include "engine/space/body_energies.h"
-#include "engine/space/solid_places.h"
-#include "engine/space/solid_table_terms.h"
-#include "engine/space/table_terms.h"
+#include "engine/space/table_access.h"
+#include "engine/table/body_kind.h"
 
 namespace spoke {
 namespace {
@@ -17,24 +15,6 @@ using space::Angular;
 using space::HandleMotion;
 using space::Position;
 using space::Rotation;
-
-/// Returns the share of a body's deformation in the acceleration of a handle: (u'', H th'').
-space::Twist deform(const BodyData<Space>& body, int handle) {
-  assert(handle >= 0 && handle < body.work.port.handles);
-  space::Twist acceleration = space::Twist::Zero();
-  if (const space::Solid* solid = body.model->body->solid())
-    return calc_place_deformation(solid->handle(static_cast<std::size_t>(handle)),
-                                  body.work.handles[handle], body.coordinates.a);
-  const space::FlexibleBody* flexible = body.model->body->flexible();
-  if (!flexible) return acceleration;
-  const int node = flexible->handles[static_cast<std::size_t>(handle)];
-  for (int c = 0; c < space::kTwist; ++c)
-    if (const int at = flexible->coordinate(node, c); at >= 0)
-      acceleration[c] = body.coordinates.a[at];
-  const Angular turn = body.work.handles[handle].turn.H.lazyProduct(angular(acceleration));
-  angular(acceleration) = turn;
-  return acceleration;
-}
 
 /// Returns the acceleration of the handle that carries a body, or of the hub, in the parent's
 /// frame: J (X; q'') + b.
@@ -84,7 +64,8 @@ InBody section_in_body(const BodyData<Space>& body, const space::Section& sectio
                        const space::Twist& twist, const space::Twist& X) {
   const HandleMotion motion = motion_at(body, section);
   return {motion.s, motion.turn.R * section.axes, motion.carry(twist) + motion.twist(),
-          calc_section_acceleration(body, section, motion, X, angular(twist), body.coordinates.a)};
+          body.kind->calc_section_acceleration(body, section, motion, X, angular(twist),
+                                               body.coordinates.a)};
 }
 
 SpatialMotion observe(const Observer& hub, const space::Pose& X_HB, const InBody& in_body) {
@@ -93,42 +74,6 @@ SpatialMotion observe(const Observer& hub, const space::Pose& X_HB, const InBody
   m.R = X_HB.R * in_body.R;
   hub.observe(X_HB.R * in_body.velocity, X_HB.R * in_body.acceleration, m);
   return m;
-}
-
-/// Returns the section at the tip of the body.
-space::Section tip_of(const space::FlexibleBody& body) {
-  space::Section tip;
-  tip.element = body.elements - 1;
-  tip.s0 = body.nodes.back();
-  return tip;
-}
-
-/// Adds what the stiffening draws a place of a solid by to `shown`; its frame moves by `frame`.
-void draw(const BodyData<Space>& body, int place, const SpatialMotion& frame,
-          SpatialMotion& shown) {
-  const CoordinateBlock& c = body.coordinates;
-  const space::PlaceDrawn drawn = calc_solid_drawn(body, place, c.q, c.v, c.a);
-  const Position r = frame.R * drawn.place, rate = frame.R * drawn.rate;
-  const Position turned = cross(frame.w, r);
-  shown.p += r;
-  shown.v += turned + rate;
-  shown.a += cross(frame.alpha, r) + cross(frame.w, turned) + 2.0 * cross(frame.w, rate) +
-             frame.R * drawn.acceleration;
-}
-
-/// Takes the foreshortening by bending off `shown`, for a body whose frame moves by `frame`, along
-/// its x axis.
-void shorten(const BodyData<Space>& body, const space::Section& section, const SpatialMotion& frame,
-             SpatialMotion& shown) {
-  const CoordinateBlock& c = body.coordinates;
-  const space::Foreshortening l =
-      calc_foreshortening(body_model_of(body), section, c.q, c.v, c.a, body.work);
-  const Position e = frame.R * Position(Position::UnitX());
-  const Position e_rate = cross(frame.w, e);
-  shown.p -= l.length * e;
-  shown.v -= l.length * e_rate + l.rate * e;
-  shown.a -= l.length * (cross(frame.alpha, e) + cross(frame.w, e_rate)) + 2.0 * l.rate * e_rate +
-             l.acceleration * e;
 }
 
 }  // namespace
@@ -145,13 +90,17 @@ space::Twist calc_next_acceleration(const TreeBody<Space>& body, std::size_t j,
   for (int c = 0; c < body.joint.joint.coordinates; ++c)
     by_coordinates += own.joint.coordinates.a[c] * joint.columns.col(c);
   X += joint.R.inverse() * by_coordinates;
-  return X - deform(own, 0) - own.work.handles[0].bias(angular(data.twists[j]));
+  return X - own.kind->calc_handle_deformation(own, 0) -
+         own.work.handles[0].bias(angular(data.twists[j]));
 }
 
 space::Twist calc_handle_acceleration(const SubsystemData<Space>& data, std::size_t j, int handle,
                                       const space::Twist& X) noexcept {
-  const HandleMotion& motion = data.bodies[j].work.handles[handle];
-  return motion.carry(X) + deform(data.bodies[j], handle) + motion.bias(angular(data.twists[j]));
+  const BodyData<Space>& body = data.bodies[j];
+  assert(handle >= 0 && handle < body.work.port.handles);
+  const HandleMotion& motion = body.work.handles[handle];
+  return motion.carry(X) + body.kind->calc_handle_deformation(body, handle) +
+         motion.bias(angular(data.twists[j]));
 }
 
 space::Twist calc_hub_acceleration(const System<Space>& system, std::size_t i,
@@ -195,15 +144,9 @@ SpatialMotion calc_shown_motion(const Subsystem<Space>& subsystem, const Subsyst
     if (!body.model->stiffening) return;
     const SpatialMotion frame =
         observe(hub, data.poses[j], {space::Position::Zero(), {}, data.twists[j], X});
-    if (const space::Solid* solid = body.model->body->solid()) {
-      const int place =
-          is_last ? reading.section.place_number
-                  : solid->handles[static_cast<std::size_t>(
-                        subsystem.bodies[static_cast<std::size_t>(reading.path[next])].handle)];
-      return draw(body, place, frame, short_of);
-    }
-    shorten(body, is_last ? reading.section : tip_of(*body.model->body->flexible()), frame,
-            short_of);
+    if (is_last) return body.kind->add_shown_drawn(body, reading.section, frame, short_of);
+    const auto outer = static_cast<std::size_t>(reading.path[next]);
+    body.kind->add_shown_drawn(body, subsystem.bodies[outer].handle, frame, short_of);
   };
   if (is_accelerated(reading))
     walk(subsystem, data, hub_acceleration, reading.path, add);

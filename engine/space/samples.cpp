@@ -7,52 +7,24 @@
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/loop_motion.h"
 #include "engine/space/body_energies.h"
-#include "engine/space/solid_places.h"
-#include "engine/space/solid_table_terms.h"
 #include "engine/space/table_terms.h"
+#include "engine/table/body_kind.h"
 
 namespace spoke {
 namespace {
-
-/// Returns the place of the outermost point of a body in its frame, deformed, less the
-/// foreshortening [m].
-space::Position find_tip(const BodyData<Space>& body) {
-  if (const space::Solid* solid = body.model->body->solid())
-    return calc_place_motion(solid->constants->tip, body.coordinates.q, body.coordinates.v).s;
-  const space::FlexibleBody* flexible = body.model->body->flexible();
-  if (!flexible) return body.model->body->rigid()->centre;
-  space::Position tip = flexible->nodes.back();
-  for (int c = 0; c < space::kPosition; ++c) {
-    const int k = flexible->coordinate(flexible->elements, c);
-    if (k >= 0) tip[c] += body.coordinates.q[k];
-  }
-  return tip;
-}
-
-/// Returns by how much the stiffening moves the place at which a body carries the next one, or its
-/// tip, in its frame. `handle` 0: the tip.
-space::Position draw(const BodyData<Space>& body, int handle) {
-  const double *q = body.coordinates.q, *v = body.coordinates.v;
-  if (const space::Solid* solid = body.model->body->solid()) {
-    const int place = handle > 0 ? solid->handles[static_cast<std::size_t>(handle)]
-                                 : solid->constants->tip_number;
-    return calc_solid_drawn(body, place, q, v, nullptr).place;
-  }
-  if (!body.model->body->flexible()) return space::Position::Zero();
-  return {-calc_foreshortening(body_model_of(body), q, body.work), 0.0, 0.0};
-}
 
 /// Returns the displacement of the tip from its undeformed place, hub frame [m].
 space::Position calc_tip(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data) {
   assert(data.poses.size() == data.bodies.size() && !data.bodies.empty());
   const std::size_t last = data.bodies.size() - 1;
-  space::Position tip =
-      data.poses[last].p + data.poses[last].R * find_tip(data.bodies[last]) - subsystem.tip;
+  space::Position tip = data.poses[last].p +
+                        data.poses[last].R * data.bodies[last].kind->find_tip(data.bodies[last]) -
+                        subsystem.tip;
   // In bodies with geometric stiffening the energies account for this, not the coordinates.
   int handle = 0;
   for (int j = static_cast<int>(last); j >= 0; j = subsystem.bodies[j].parent) {
     const auto k = static_cast<std::size_t>(j);
-    tip += data.poses[k].R * draw(data.bodies[k], handle);
+    tip += data.poses[k].R * data.bodies[k].kind->calc_shown_drawn(data.bodies[k], handle);
     handle = subsystem.bodies[j].handle;
   }
   return tip;
@@ -64,16 +36,12 @@ space::BodyEnergies calc_energies(const System<Space>& system, const SubsystemDa
   const BodyData<Space>& body = data.bodies[j];
   const space::Twist& twist = data.twists[j];
   const HubState<Space>& hub = *data.hub;
-  if (const space::RigidBody* rigid = body.model->body->rigid())
-    return {calc_kinetic_energy(rigid_mass_of(body), twist), 0.0, 0.0, rigid->mass * rigid->centre};
   // The work of gravity that rises is that of a load. A hub that flies falls as its bodies do.
   const bool is_potential = system.gravity_ramp == 0.0 && system.hub.support == HubSupport::axle;
   const space::Position gravity =
       is_potential ? system.gravity : space::Position(space::Position::Zero());
   const space::BodyMotion motion{angular(twist), angular(hub.twist), hub.R.inverse() * gravity};
-  if (body.model->body->solid())
-    return calc_solid_energies(solid_model_of(body), body_state_of(body), twist, motion, body.work);
-  return calc_body_energies(body_model_of(body), body_state_of(body), twist, motion, body.work);
+  return body.kind->calc_energies(body, twist, motion);
 }
 
 /// Returns the energy of the springs and stops of the joint that carries a body [J].

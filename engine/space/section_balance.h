@@ -1,7 +1,7 @@
 #pragma once
 
-// Forces in a spatial subsystem by the balance of its outboard part, and its momentum: sums over
-// slots and their masses.
+// Forces in a beam by the balance of its outboard part (engine/space/bodies/beam), and the momentum of a
+// subsystem.
 
 #include "engine/table/step_data.h"
 
@@ -13,7 +13,7 @@ namespace spoke {
 ///   N = sum of (forces of the joints that it carries) + (applied forces) - int rho'' dm,
 /// with rho'' less gravity; moments likewise. Loads, masses and joints at the section count as
 /// outboard. Rotations and twists of the table must be those of the state, joint_loads those of its
-/// step; t: its time [s]. `X`: of the section's body.
+/// step; t: its time [s]. `X`: of the section's body, which is a beam.
 space::Twist calc_section_load(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
                                double t, const space::Twist& X,
                                const Reading<Space>& reading) noexcept;

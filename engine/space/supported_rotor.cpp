@@ -47,8 +47,8 @@ void sum_rotor(const System<Space>& system, std::size_t r, bool is_condensed,
   const SupportedRotor& model = system.rotors[r];
   const auto i = static_cast<std::size_t>(model.subsystem);
   RotorData<Space>& rotor = data.rotors[r];
-  space::TwistMatrix mass =
-      rigid_mass_of(data.subsystems[i].bodies[static_cast<std::size_t>(model.body)]).matrix();
+  const BodyData<Space>& hub = data.subsystems[i].bodies[static_cast<std::size_t>(model.body)];
+  space::TwistMatrix mass = hub.blocks[0]->rigid->mass.matrix();
   space::Twist force = space::Twist::Zero();
   space::HubStiffening stiffening;
   for (std::size_t k = 0; k < system.subsystems.size(); ++k) {

@@ -4,36 +4,16 @@
 
 #include <cassert>
 
-#include "engine/space/solid_places.h"
 #include "models/space/mount.h"
 
 namespace spoke {
 
-space::BodyModel body_model_of(const BodyData<Space>& body) {
-  assert(body.model->body->flexible() && body.blocks[0] && body.blocks[0]->elastic);
-  assert(body.tension || body.strain || (body.blocks[1] && body.blocks[1]->elastic));
-  const space::FlexibleBody* flexible = body.model->body->flexible();
-  const auto& tension = body.model->stiffening;
-  const space::ElasticBlock* implicit = nullptr;
-  if (body.tension)
-    implicit = &body.tension->block;
-  else if (body.strain)
-    implicit = &body.strain->block;
-  else
-    implicit = &*body.blocks[1]->elastic;
-  return {flexible,
-          {&*body.blocks[0]->elastic, implicit},
-          tension ? &*tension : nullptr,
-          body.strain ? &body.strain->shift : nullptr};
+bool has_nonlinear_strain(const BodyData<Space>& body) {
+  return body.kind->has_nonlinear_strain(*body.model->body);
 }
 
 space::BodyState body_state_of(const BodyData<Space>& body) {
   return {body.coordinates.q, body.coordinates.v, body.q_elastic, body.v_elastic};
-}
-
-const space::SymmetricTwistMatrix& rigid_mass_of(const BodyData<Space>& body) {
-  assert(body.model->body->rigid() && body.blocks[0] && body.blocks[0]->rigid);
-  return body.blocks[0]->rigid->mass;
 }
 
 space::Twist calc_load_wrench(const BodyLoad<Space>& load, std::size_t k, double t,
@@ -45,17 +25,20 @@ space::Twist calc_load_wrench(const BodyLoad<Space>& load, std::size_t k, double
   return size * (R * make_wrench(load.force, load.moment));
 }
 
-space::HandleMotion motion_at(const BodyData<Space>& body, const space::Section& section) noexcept {
-  if (const space::FlexibleBody* flexible = body.model->body->flexible())
-    return calc_section_motion(*flexible, section, body.coordinates.q, body.coordinates.v);
-  if (body.model->body->solid())
-    return calc_place_motion(*section.place, body.coordinates.q, body.coordinates.v);
-  return space::make_fixed_handle(section.s0);
-}
-
 space::JointState joint_state_of(const BodyData<Space>& body) {
   return {body.joint.coordinates.q, body.joint.coordinates.v, &body.joint.rotation->reference,
           body.joint.driven};
+}
+
+space::BodyMotion body_motion_of(const System<Space>& system, double t, std::size_t j,
+                                 const SubsystemData<Space>& data) noexcept {
+  return {angular(data.twists[j]), angular(data.hub->twist), calc_tension_field(system, t, data)};
+}
+
+void add_hub_moment(const space::Angular& moment, const HubState<Space>& hub,
+                    space::BodyTerms& terms) noexcept {
+  terms.stiffening.moment += moment;
+  terms.load_power += moment.dot(space::Angular(angular(hub.twist)));
 }
 
 space::Rotation resolve_load(spatial::LoadFrame frame, const space::Rotation& R_HB,

@@ -11,11 +11,13 @@
 
 namespace spoke {
 
-/// Makes, at the first pass of a step, the tension on its left-hand side that of the hub's speed,
-/// or the stiffness there that of the predicted shape.
-void follow_state(const HubState<Space>& hub, BodyData<Space>& body) noexcept;
 /// Whether the terms of a pass of an implicit step have such tension.
 bool has_implicit_tension(const BodyData<Space>& body) noexcept;
+/// Whether a body's tension depends on what is applied.
+bool has_applied_tension(const BodyData<Space>& body) noexcept;
+/// Returns the linear momentum of a body that deforms, by its terms, in B.
+space::Position calc_deformed_momentum(const BodyData<Space>& body,
+                                       const space::Twist& twist) noexcept;
 /// Whether forces on a body, in the hub's frame, depend on its pose and deformation.
 bool depend_on_pose(const BodyData<Space>& body) noexcept;
 
@@ -23,20 +25,6 @@ bool depend_on_pose(const BodyData<Space>& body) noexcept;
 /// pose is used only where forces depend on it.
 space::Position sum_forces(double t, const Subsystem<Space>& subsystem,
                            const SubsystemData<Space>& data, std::size_t j) noexcept;
-
-/// Returns by how much the stiffening draws a handle of a body inward, along the axes of B.
-space::DrawnInward calc_handle_drawn(const BodyData<Space>& body, int handle, const double* q,
-                                     const double* v) noexcept;
-
-/// Returns that of a section.
-space::DrawnInward calc_section_drawn(const BodyData<Space>& body, const space::Section& section,
-                                      const double* q, const double* v) noexcept;
-
-/// Returns the acceleration of a section less gravity, in B, at the acceleration X and the angular
-/// velocity w of B and the flex vector a = q''.
-space::Twist calc_section_acceleration(const BodyData<Space>& body, const space::Section& section,
-                                       const space::HandleMotion& motion, const space::Twist& X,
-                                       const space::Angular& w, const double* a) noexcept;
 
 /// Returns shift and rate of the coordinate by which the joint that carries body `j` slides, from
 /// the deformation of the bodies inboard. Precondition: it slides.

@@ -1,30 +1,16 @@
-// Condenses, eliminates and recovers trees in space (engine/tree/joint_elimination.h has the
+// Eliminates and recovers the joints of trees in space (engine/tree/joint_elimination.h has the
 // equations).
 
 #include "engine/formulation/structured/tree_elimination.h"
 
-#include <algorithm>
 #include <cassert>
 #include <utility>
 
-#include "engine/space/condense_body.h"
-#include "engine/space/condense_solid.h"
-#include "engine/space/table_terms.h"
 #include "engine/support/prefetch.h"
 #include "models/support/wide_kernels.h"
 
 namespace spoke::structured {
 namespace {
-
-const space::Solid& solid_of(const BodyData<Space>& body) { return *body.model->body->solid(); }
-
-/// Sets what the elimination by masses reads.
-void place_mass(const BodyData<Space>& data, const space::Twist& twist) {
-  const tree::MultiPort<Space>& port = data.work.port;
-  if (!data.carried) return space::place_mass(*data.blocks[0]->rigid, twist, data.terms.Q, port);
-  port.diagonal[0] = data.carried->mass;
-  port.free[0] = data.terms.Q;
-}
 
 /// Fetches what the elimination of a chain reads next: the multi-port of a body, which stands
 /// behind its handles, and the joint behind it.
@@ -38,23 +24,6 @@ void fetch_port(const SubsystemData<Space>& data, std::size_t j, const BodyWork<
 }
 
 }  // namespace
-
-void condense_body(BodyData<Space>& data, const space::Twist& twist, bool implicit,
-                   BodyWork<Space>& work) noexcept {
-  if (work.by_mass)
-    place_mass(data, twist);
-  else if (data.model->body->flexible())
-    space::condense_body(body_model_of(data), data.terms, angular(twist), implicit, data.work);
-  else if (is_tiled(data))
-    condense_between(solid_of(data), *data.blocks[implicit]->solid, data.terms, angular(twist),
-                     data.work);
-  else if (const space::Solid* solid = data.model->body->solid())
-    condense_solid(*solid, *data.blocks[implicit]->solid, data.terms, angular(twist), data.work);
-  else if (data.carried)
-    space::condense(*data.carried, data.terms.Q, data.work.port);
-  else
-    space::condense(*data.blocks[0]->rigid, twist, data.terms.Q, data.work.port);
-}
 
 void join_children(const Subsystem<Space>& subsystem, std::size_t j,
                    const SubsystemData<Space>& data, SubsystemWork<Space>& work) {
@@ -94,38 +63,6 @@ void recover_children(const Subsystem<Space>& subsystem, std::size_t j,
       data.wrenches[c].inboard = tree::pass_to_child<Space>(joint, wrenches[o]);
     }
   });
-}
-
-void recover_body(const SubsystemData<Space>&, std::size_t, const BodyWork<Space>& work,
-                  bool implicit, BodyData<Space>& data, double* a) noexcept {
-  const space::Twist* wrenches = data.work.wrenches;
-  if (work.by_mass) {
-    data.X = work.X;
-  } else if (data.model->body->flexible()) {
-    data.X = space::recover_body(body_model_of(data), wrenches, implicit, data.work, a);
-  } else if (is_tiled(data)) {
-    data.X = recover_between(solid_of(data), *data.blocks[implicit]->solid, wrenches, data.work);
-  } else if (const space::Solid* solid = data.model->body->solid()) {
-    data.X = recover_solid(*solid, *data.blocks[implicit]->solid, wrenches, data.work, a);
-  } else if (data.carried) {
-    data.X = data.carried->inverse * space::Twist(data.terms.Q + wrenches[0]);
-  } else {
-    const auto count = static_cast<std::size_t>(data.work.port.handles);
-    data.X = space::recover_frame(*data.blocks[0]->rigid, data.terms.Q, {wrenches, count});
-  }
-}
-
-void condense_slice(BodyData<Space>& body, int p, bool implicit) noexcept {
-  space::condense_slice(solid_of(body), *body.blocks[implicit]->solid, p, body.work);
-}
-
-void recover_slice(BodyData<Space>& body, int p, bool implicit) noexcept {
-  space::recover_slice(solid_of(body), *body.blocks[implicit]->solid, p, body.X, body.work.wrenches,
-                       body.work);
-}
-
-void take_slices(const BodyData<Space>& body, double* a) noexcept {
-  std::copy_n(body.work.solution, solid_of(body).coordinates(), a);
 }
 
 }  // namespace spoke::structured

@@ -17,6 +17,7 @@
 #include "engine/plane/section_balance.h"
 #include "engine/steady/steady_system.h"
 #include "engine/steady/subsystem_access.h"
+#include "engine/table/body_kind.h"
 
 namespace spoke::steady {
 namespace {
@@ -27,8 +28,7 @@ double station_of(const Subsystem<Plane>& subsystem, std::size_t j) {
 }
 double station_of(const Subsystem<Space>& subsystem, std::size_t j) {
   const TreeBody<Space>& body = subsystem.bodies[j];
-  const space::FlexibleBody* flexible = body.body->flexible();
-  return flexible ? body.begin + flexible->stations.front() : 0.0;
+  return kind_of(*body.body).station_of(body);
 }
 
 Eigen::Vector3d in_space(const Position& p) { return {p.x(), p.y(), 0.0}; }
@@ -41,7 +41,7 @@ std::vector<SolidDeformation> SteadySystem<World>::solids(std::size_t subsystem)
   std::vector<SolidDeformation> solids;
   const SubsystemData<World>& own = data(subsystem);
   for (std::size_t j = 0; j < own.bodies.size(); ++j)
-    if (auto solid = solid_of(own.bodies[j]))
+    if (auto solid = mesh_of(own.bodies[j]))
       solids.push_back({static_cast<int>(j), std::move(solid), {}});
   return solids;
 }

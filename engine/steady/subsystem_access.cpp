@@ -4,18 +4,14 @@
 
 #include <algorithm>
 #include <cassert>
-#include <optional>
 #include <utility>
 
 #include "engine/integrator/rotation.h"
 #include "engine/kernels/dense_body.h"
 #include "engine/plane/handle_motion.h"
 #include "engine/plane/nonlinear_strain.h"
-#include "engine/space/dense_body.h"
-#include "engine/space/nonlinear_strain.h"
 #include "engine/space/put_joint.h"
-#include "engine/space/solid_places.h"
-#include "engine/space/table_terms.h"
+#include "engine/table/body_kind.h"
 
 namespace spoke::steady {
 namespace {
@@ -108,11 +104,10 @@ std::vector<SubsystemCoordinate> name_coordinates(const TreeBody<Plane>& model, 
 std::vector<SubsystemCoordinate> name_coordinates(const TreeBody<Space>& model, int index,
                                                   const std::string& body,
                                                   const std::string& name) {
-  static constexpr const char* kNames[] = {"u", "v", "w", "tx", "ty", "tz"};
   std::vector<SubsystemCoordinate> list;
   const space::Joint& joint = model.joint.joint;
-  const space::FlexibleBody* flexible = model.body->flexible();
-  const double extent = model.body->rigid() ? 1.0 : model.body->extent();
+  const BodyView<Space>& view = kind_of(*model.body);
+  const double length = view.length(*model.body), extent = length > 0.0 ? length : 1.0;
   int number = 0;
   for (const space::JointPrimitive& primitive : joint.sequence()) {
     if (primitive.is_driven) continue;
@@ -124,28 +119,9 @@ std::vector<SubsystemCoordinate> name_coordinates(const TreeBody<Space>& model, 
       list.push_back({numbered, name, index, -1, turns, turns ? 1.0 : extent, is_spherical});
     }
   }
-  if (const space::Solid* solid = model.body->solid()) {
-    const space::SolidConstants& constants = *solid->constants;
-    for (int k = 0; k < solid->coordinates(); ++k)
-      list.push_back({body + (body.empty() ? "" : " / ") + name_coordinate(constants, k),
-                      {},
-                      index,
-                      0,
-                      false,
-                      constants.limits[static_cast<std::size_t>(k)]});
-    return list;
-  }
-  if (!flexible) return list;
-  const std::size_t first = list.size();
-  list.resize(first + static_cast<std::size_t>(flexible->coordinates()));
-  for (int node = 0; node < flexible->node_count(); ++node)
-    for (int c = 0; c < space::kTwist; ++c) {
-      const int at = flexible->coordinate(node, c);
-      if (at < 0) continue;
-      const bool turns = c >= space::kRotation;
-      list[first + static_cast<std::size_t>(at)] = {
-          name_node(body, node, kNames[c]), {}, index, node, turns, turns ? 1.0 : extent};
-    }
+  for (CoordinateName& own : view.name_coordinates(*model.body))
+    list.push_back(
+        {body + (body.empty() ? "" : " / ") + own.name, {}, index, own.node, own.turns, own.scale});
   return list;
 }
 
@@ -156,11 +132,7 @@ Eigen::MatrixXd calc_body_mass(const BodyData<Plane>& body) {
   return mass;
 }
 Eigen::MatrixXd calc_body_mass(const BodyData<Space>& body) {
-  const space::Body& model = *body.model->body;
-  if (model.rigid()) return rigid_mass_of(body).matrix();
-  Eigen::MatrixXd mass(dense_size(model), dense_size(model));
-  calc_dense_mass(body, make_dense_elastic_block(model, {1.0, 0.0, 0.0}), false, mass);
-  return mass;
+  return body.kind->calc_own_mass(body);
 }
 
 Eigen::MatrixXd calc_body_stiffness(const BodyData<Plane>& body) {
@@ -168,23 +140,8 @@ Eigen::MatrixXd calc_body_stiffness(const BodyData<Plane>& body) {
     return calc_strain_stiffness(*body.model->body, body.layout, body.q_elastic);
   return make_dense_elastic_block(*body.model->body, 0.0, 1.0);
 }
-namespace {
-
-/// Returns stiffness and damping of a body by its strains of second order; none of others.
-std::optional<space::StrainMatrices> calc_strain_matrices(double stiffness_factor,
-                                                          const BodyData<Space>& body) {
-  if (!has_nonlinear_strain(body)) return std::nullopt;
-  const space::FlexibleBody* flexible = body.model->body->flexible();
-  Eigen::VectorXd q(space::kTwist * flexible->node_count());
-  space::expand(*flexible, body.q_elastic, q.data());
-  return space::calc_strain_matrices(*flexible, stiffness_factor, q.data());
-}
-
-}  // namespace
-
 Eigen::MatrixXd calc_body_stiffness(const BodyData<Space>& body) {
-  if (const auto strain = calc_strain_matrices(0.0, body)) return strain->stiffness;
-  return make_dense_elastic_block(*body.model->body, {0.0, 1.0, 0.0});
+  return body.kind->calc_stiffness(body);
 }
 
 Eigen::MatrixXd calc_body_damping(const Damping& damping, const BodyData<Plane>& body) {
@@ -196,11 +153,7 @@ Eigen::MatrixXd calc_body_damping(const Damping& damping, const BodyData<Plane>&
   return own;
 }
 Eigen::MatrixXd calc_body_damping(const Damping& damping, const BodyData<Space>& body) {
-  if (const auto strain = calc_strain_matrices(damping.stiffness_factor, body))
-    return make_dense_elastic_block(*body.model->body, {damping.mass_factor, 0.0, 0.0}) +
-           strain->damping;
-  return make_dense_elastic_block(*body.model->body,
-                                  {damping.mass_factor, damping.stiffness_factor, 1.0});
+  return body.kind->calc_damping(damping, body);
 }
 
 void add_places(const SubsystemData<Plane>& data, int j, std::vector<NodePlace>& places) {
@@ -226,61 +179,11 @@ void add_places(const SubsystemData<Plane>& data, int j, std::vector<NodePlace>&
   }
 }
 
-namespace {
-
-/// Adds the frame of a solid and its places, which have no mass, then some nodes, at most kMost
-/// evenly from its list, each with an equal share of its mass.
-void add_solid_places(const space::Solid& solid, const space::Pose& pose, const double* q, int j,
-                      std::vector<NodePlace>& places) {
-  constexpr std::size_t kMost = 200;
-  const space::SolidConstants& constants = *solid.constants;
-  const std::size_t count = constants.nodes.size(), stride = (count + kMost - 1) / kMost;
-  const double share = constants.mass / static_cast<double>((count + stride - 1) / stride);
-  places.push_back({pose.p, pose.R.axes, pose.p, 0.0, 0.0, j});
-  for (const space::SolidPlace& place : constants.places) {
-    const space::HandleMotion motion = calc_place_motion(place, q, q);
-    const space::Position p = pose.p + pose.R * motion.s;
-    places.push_back({p, (pose.R * motion.turn.R).axes, p, 0.0, 0.0, j});
-  }
-  const Eigen::VectorXd u = calc_displacements(constants, q);
-  for (std::size_t i = 0; i < count; i += stride) {
-    const space::Position moved = u.segment<3>(static_cast<Eigen::Index>(3 * i));
-    const space::Position p = pose.p + pose.R * space::Position(constants.nodes[i] + moved);
-    places.push_back({p, pose.R.axes, p, share, 0.0, j});
-  }
-}
-
-}  // namespace
-
 void add_places(const SubsystemData<Space>& data, int j, std::vector<NodePlace>& places) {
   assert(j >= 0 && std::cmp_less(j, data.poses.size()));
   const BodyData<Space>& body = data.bodies[j];
-  const space::Pose& pose = data.poses[j];
-  const space::FlexibleBody* flexible = body.model->body->flexible();
-  if (const space::Solid* solid = body.model->body->solid())
-    return add_solid_places(*solid, pose, body.coordinates.q, j, places);
-  if (!flexible) {
-    const space::RigidBody& rigid = *body.model->body->rigid();
-    places.push_back(
-        {pose.p, pose.R.axes, pose.p + pose.R * rigid.centre, rigid.mass, rigid.inertia(0, 0), j});
-    return;
-  }
-  const double mass = flexible->mass / flexible->elements;
-  for (int node = 0; node < flexible->node_count(); ++node) {
-    space::Twist value = space::Twist::Zero();
-    for (int c = 0; c < space::kTwist; ++c) {
-      const int at = flexible->coordinate(node, c);
-      if (at >= 0) value[c] = body.coordinates.q[at];
-    }
-    const auto k = static_cast<std::size_t>(node);
-    const space::Position s = flexible->nodes[k] + space::Position(value.head<3>());
-    const bool is_end = node == 0 || node == flexible->elements;
-    // The linear shape of torsion spreads a node's inertia by 2/3 to itself.
-    const space::Position p = pose.p + pose.R * s;
-    places.push_back({p, (pose.R * space::exponential(value.tail<3>())).axes, p,
-                      is_end ? 0.5 * mass : mass,
-                      1.5 * flexible->M.diagonal[k](space::kRotation, space::kRotation), j});
-  }
+  for (const LumpedNode& node : body.kind->lump(body, data.poses[j]))
+    places.push_back({node.p, node.axes, node.centre, node.mass, node.inertia, j});
 }
 
 Eigen::Matrix3d outer_axes(const SubsystemData<Plane>& data) {
@@ -289,22 +192,15 @@ Eigen::Matrix3d outer_axes(const SubsystemData<Plane>& data) {
   return places.back().axes;
 }
 Eigen::Matrix3d outer_axes(const SubsystemData<Space>& data) {
-  const BodyData<Space>& body = data.bodies[data.bodies.size() - 1];
-  if (const space::Solid* solid = body.model->body->solid())
-    return (data.poses[data.poses.size() - 1].R *
-            calc_place_motion(solid->constants->tip, body.coordinates.q, body.coordinates.v).turn.R)
-        .axes;
-  std::vector<NodePlace> places;
-  add_places(data, static_cast<int>(data.bodies.size()) - 1, places);
-  return places.back().axes;
+  const std::size_t last = data.bodies.size() - 1;
+  return data.bodies[last].kind->outer_axes(data.bodies[last], data.poses[last]);
 }
 
-std::shared_ptr<const space::SolidConstants> solid_of(const BodyData<Plane>& /*body*/) {
+std::shared_ptr<const space::SolidConstants> mesh_of(const BodyData<Plane>& /*body*/) {
   return nullptr;
 }
-std::shared_ptr<const space::SolidConstants> solid_of(const BodyData<Space>& body) {
-  const space::Solid* solid = body.model->body->solid();
-  return solid ? solid->constants : nullptr;
+std::shared_ptr<const space::SolidConstants> mesh_of(const BodyData<Space>& body) {
+  return body.kind->mesh(*body.model->body);
 }
 
 Eigen::Vector3d force_of(const Twist& wrench) { return {wrench[0], wrench[1], 0.0}; }
@@ -317,15 +213,7 @@ Eigen::Matrix3d inboard_axes(const BodyData<Plane>& body) {
   return axes_of(
       plane::Rotation::from_angle(at < 0 ? 0.0 : body.coordinates.q[body.layout.offset(at)]));
 }
-Eigen::Matrix3d inboard_axes(const BodyData<Space>& body) {
-  if (const space::Solid* solid = body.model->body->solid())
-    return calc_place_motion(solid->handle(0), body.coordinates.q, body.coordinates.v).turn.R.axes;
-  const space::FlexibleBody* flexible = body.model->body->flexible();
-  if (!flexible) return Eigen::Matrix3d::Identity();
-  const space::Section section =
-      make_section(*body.model->body->beam, *flexible, flexible->stations.front());
-  return (motion_at(body, section).turn.R * section.axes).axes;
-}
+Eigen::Matrix3d inboard_axes(const BodyData<Space>& body) { return body.kind->inboard_axes(body); }
 
 Eigen::Matrix3d axes_of(const plane::Rotation& R) {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();

@@ -68,9 +68,9 @@ void add_places(const SubsystemData<Space>& data, int j, std::vector<NodePlace>&
 Eigen::Matrix3d outer_axes(const SubsystemData<Plane>& data);
 Eigen::Matrix3d outer_axes(const SubsystemData<Space>& data);
 
-/// Returns the constants of a solid; null for other bodies.
-std::shared_ptr<const space::SolidConstants> solid_of(const BodyData<Plane>& body);
-std::shared_ptr<const space::SolidConstants> solid_of(const BodyData<Space>& body);
+/// Returns the constants of a body from a mesh; null for others.
+std::shared_ptr<const space::SolidConstants> mesh_of(const BodyData<Plane>& body);
+std::shared_ptr<const space::SolidConstants> mesh_of(const BodyData<Space>& body);
 
 /// Returns the force or moment of a wrench of either world as a vector in space.
 Eigen::Vector3d force_of(const Twist& wrench);

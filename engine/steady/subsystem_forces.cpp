@@ -9,8 +9,6 @@
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/hub_solve.h"
 #include "engine/kernels/kinematics.h"
-#include "engine/space/dense_body.h"
-#include "engine/space/solid_block.h"
 #include "engine/space/table_terms.h"
 #include "engine/steady/subsystem_access.h"
 
@@ -40,46 +38,7 @@ VectorXd calc_body_force(const BodyData<Plane>& body) {
   }
   return force;
 }
-/// Subtracts M_RR X from the first six rows.
-void subtract_frame_inertia(double mass, const space::BodyTerms& terms, const space::Twist& X,
-                            VectorXd& force) {
-  const space::Position a = linear(X);
-  const space::Angular alpha = angular(X);
-  force.head<3>() -= mass * a + cross(alpha, terms.S);
-  force.segment<3>(3) -= cross(terms.S, a) + terms.Theta * alpha;
-}
-
-VectorXd calc_body_force(const BodyData<Space>& body) {
-  const space::FlexibleBody* flexible = body.model->body->flexible();
-  const space::Twist& X = body.X;
-  if (body.model->body->rigid()) return body.terms.Q - rigid_mass_of(body) * X;
-  if (const space::Solid* solid = body.model->body->solid()) {
-    VectorXd force(space::dense_size(*solid));
-    space::calc_dense_force(*solid, body.terms, body.work, force);
-    subtract_frame_inertia(body.model->body->mass(), body.terms, X, force);
-    for (int k = 0; k < solid->coordinates(); ++k) {
-      const double* row = body.work.rows + space::kSolidRow * k;
-      force[space::kTwist + k] -= solid->constants->C_t().row(k).dot(X.head<3>()) + row[0] * X[3] +
-                                  row[1] * X[4] + row[2] * X[5];
-    }
-    return force;
-  }
-  VectorXd force(space::dense_size(*flexible));
-  space::calc_dense_force(*flexible, body.terms, body.work, force);
-  const space::Position a = linear(X);
-  const space::Angular alpha = angular(X);
-  subtract_frame_inertia(flexible->mass, body.terms, X, force);
-  for (int node = 0; node < flexible->node_count(); ++node)
-    for (int c = 0; c < space::kTwist; ++c) {
-      const int at = flexible->coordinate(node, c);
-      if (at < 0) continue;
-      const double* row = body.work.rows + space::kNodeRows * node + 4 * c;
-      force[space::kTwist + at] -=
-          flexible->C_t[static_cast<std::size_t>(node)].row(c).dot(a.transpose()) +
-          row[0] * alpha[0] + row[1] * alpha[1] + row[2] * alpha[2];
-    }
-  return force;
-}
+VectorXd calc_body_force(const BodyData<Space>& body) { return body.kind->calc_frame_force(body); }
 
 /// Returns the Jacobian J of a handle; in the plane handle 0 is the inboard, 1 the outboard one.
 template <class World>

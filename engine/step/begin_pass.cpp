@@ -5,8 +5,8 @@
 #include "engine/integrator/rotation.h"
 #include "engine/kernels/hub_motion.h"
 #include "engine/kernels/kinematics.h"
-#include "engine/space/implicit_strain.h"
 #include "engine/step/pass_integration.h"
+#include "engine/table/body_kind.h"
 
 namespace spoke {
 namespace {
@@ -40,14 +40,12 @@ void begin_joint(const Method& method, const PassControl& control, BodyData<Spac
   begin_coordinates(method, control, rotation_block(body));
 }
 
-// Wrenches of the state at which a step begins.
+// What a step needs of the state at which it begins.
 
-void keep_wrenches(BodyData<Plane>& body) {
+void keep_state(BodyData<Plane>& body) {
   if (body.strain) keep_wrenches(*body.model->body, body.coordinates.q, *body.strain);
 }
-void keep_wrenches(BodyData<Space>& body) {
-  if (body.strain) keep_wrenches(*body.model->body->flexible(), body.coordinates.q, *body.strain);
-}
+void keep_state(BodyData<Space>& body) { body.kind->keep_state(body); }
 
 // Coordinates of the hub: first the free ones; those that are prescribed follow.
 
@@ -76,7 +74,7 @@ void begin_bodies(const Method& method, SubsystemData<World>& subsystem) noexcep
   assert(subsystem.progress);
   const PassControl& control = subsystem.progress->control;
   if (control.begins_iteration())
-    for (BodyData<World>& body : subsystem.bodies) keep_wrenches(body);
+    for (BodyData<World>& body : subsystem.bodies) keep_state(body);
   if (control.is_between_steps()) return;
   if (const auto* alpha = std::get_if<GeneralizedAlpha>(&method)) {
     if (control.stage != 0) return;

@@ -7,6 +7,7 @@
 
 #include "engine/formulation/work.h"
 #include "engine/support/memory.h"
+#include "engine/table/body_kind.h"
 #include "spoke/error.h"
 
 namespace spoke {
@@ -21,16 +22,13 @@ double count_loop_nodes(const System<World>& system) {
   return nodes;
 }
 
-/// Counts the nodes that solids in slices have besides.
-double count_slice_nodes(const System<Plane>&) { return 0.0; }
-double count_slice_nodes(const System<Space>& system) {
+/// Counts the nodes that some bodies have besides those of all.
+double count_own_nodes(const System<Plane>&) { return 0.0; }
+double count_own_nodes(const System<Space>& system) {
   double nodes = 0.0;
   for (const Subsystem<Space>& subsystem : system.subsystems)
-    for (const TreeBody<Space>& member : subsystem.bodies) {
-      const space::Solid* solid = member.body->solid();
-      const space::NodalSolid* nodal = solid ? solid->constants->nodal() : nullptr;
-      if (nodal) nodes += 1.0 + 3.0 * static_cast<double>(nodal->slices.size());
-    }
+    for (const TreeBody<Space>& member : subsystem.bodies)
+      nodes += kind_of(*member.body).count_own_nodes(*member.body);
   return nodes;
 }
 
@@ -39,7 +37,7 @@ template <class World>
 double estimate_graph_memory(const System<World>& system) {
   const double nodes = 3.0 + 8.0 * static_cast<double>(system.subsystems.size()) +
                        3.0 * static_cast<double>(system.body_count()) + count_loop_nodes(system) +
-                       count_slice_nodes(system);
+                       count_own_nodes(system);
   return 1200.0 * nodes;
 }
 

@@ -20,13 +20,6 @@ using graph::reads;
 using graph::updates;
 using graph::writes;
 
-/// Whether condensing a body clears rows of its terms: those of coordinates that a chord frame
-/// fixes.
-bool clears_rows(const TreeBody<Space>& body) {
-  const space::FlexibleBody* flexible = body.body->flexible();
-  return flexible && flexible->reference_frame == ReferenceFrame::chord;
-}
-
 /// Return the parts that condensing or inverting a body writes.
 PartList inverse_outputs(const Assembly<Plane>& g, int i, int j) {
   const BodyParts& parts = g.subsystem(i).bodies[j];
@@ -36,7 +29,8 @@ PartList inverse_outputs(const Assembly<Space>& g, int i, int j) {
   const BodyParts& parts = g.subsystem(i).bodies[j];
   if (g.c.formulation != Formulation::structured) return {parts.inverse, parts.workspace};
   PartList outputs{parts.inverse, parts.port};
-  if (clears_rows(g.c.system.subsystems[i].bodies[j])) outputs.push_back(parts.terms);
+  const space::Body& body = *g.c.system.subsystems[i].bodies[j].body;
+  if (kind_of(body).clears_rows(body)) outputs.push_back(parts.terms);
   return outputs;
 }
 
@@ -114,7 +108,7 @@ void add_inverse(const Assembly<World>& g, int i, int j) {
   if (const int r = find_hub(g, i, j); r >= 0) inputs.push_back(g.parts().rotors[r].carried);
   SubsystemData<World>& data = g.c.data.subsystems[i];
   // Of a solid in one slice all is done here.
-  const bool is_by_slices = is_tiled(data.bodies[j]) && !parts.halves.empty();
+  const bool is_by_slices = slices_of(data.bodies[j]) && !parts.halves.empty();
   const PartList& solved = is_by_slices ? parts.halves : parts.tiles;
   graph::add_to(inputs, solved);
   if (!is_by_slices) graph::add_to(outputs, parts.halves);
@@ -295,7 +289,7 @@ void add_recovery(const Assembly<World>& g, int i, int j) {
   };
   switch (c.formulation) {
     case Formulation::structured:
-      if (is_tiled(data.bodies[j])) return add_recovery_between(g, i, j);
+      if (slices_of(data.bodies[j])) return add_recovery_between(g, i, j);
       return add(
           [&data, j, &work = c.work.structured[i].bodies[j]](BodyData<World>& body) noexcept {
             fetch_for_recovery(data, static_cast<std::size_t>(j));

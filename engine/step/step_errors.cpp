@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/kernels/hub_motion.h"
+#include "engine/table/body_kind.h"
 
 namespace spoke {
 namespace {
@@ -31,25 +32,15 @@ double calc_error(const GeneralizedAlpha& method, const double* found, int c,
 
 double length_of(const TreeBody<Plane>& body) { return body.body->length; }
 /// Returns 0 for a rigid body.
-double length_of(const TreeBody<Space>& body) {
-  return body.body->rigid() ? 0.0 : body.body->extent();
-}
+double length_of(const TreeBody<Space>& body) { return kind_of(*body.body).length(*body.body); }
 /// Returns the size of a body's deformation coordinates: of a solid that of its modes.
 double size_of_coordinates(const TreeBody<Plane>& body) { return length_of(body); }
 double size_of_coordinates(const TreeBody<Space>& body) {
-  const space::Solid* solid = body.body->solid();
-  return solid ? solid->constants->least_limit : length_of(body);
+  return kind_of(*body.body).coordinate_size(*body.body);
 }
 
 double reach_of(const TreeBody<Plane>&) { return 0.0; }
-/// Returns how far a rigid body extends: to its handles, its centre, and by its inertia [m].
-double reach_of(const TreeBody<Space>& body) {
-  const space::RigidBody* rigid = body.body->rigid();
-  if (!rigid) return 0.0;
-  double reach = std::sqrt(0.5 * rigid->inertia.trace() / rigid->mass) + rigid->centre.norm();
-  for (const space::Position& handle : rigid->outboard) reach = std::max(reach, handle.norm());
-  return reach;
-}
+double reach_of(const TreeBody<Space>& body) { return kind_of(*body.body).reach(*body.body); }
 
 template <class World>
 double rotation_error(const GeneralizedAlpha& method, const TwistOf<World>& found,

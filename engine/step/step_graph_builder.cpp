@@ -134,7 +134,8 @@ void calc_mass_terms(const SystemContext<Space>& c, int i, int j,
   if (control.is_implicit) {
     const auto& alpha = std::get<GeneralizedAlpha>(c.integrator.method);
     shares = {alpha.position_gain, alpha.velocity_gain};
-    if (control.begins_iteration()) follow_state(*data.hub, data.bodies[j]);
+    BodyData<Space>& body = data.bodies[j];
+    if (control.begins_iteration()) body.kind->follow_state(*data.hub, body);
   }
   calc_terms(c.system, c.system.subsystems[i], control.time, shares, j, data);
 }

@@ -4,8 +4,6 @@
 
 #include <string>
 
-#include "engine/formulation/structured.h"
-#include "engine/space/solid_table_terms.h"
 #include "engine/step/recovery_end.h"
 
 namespace spoke {
@@ -27,14 +25,18 @@ struct TiledBody {
   const BodyParts& parts;
   SubsystemData<Space>& data;
   BodyData<Space>& body;
+  const BodySlices* slices;  ///< null if it has none
 
   TiledBody(const Assembly<Space>& g, int i, int j)
-      : parts(g.subsystem(i).bodies[j]), data(g.c.data.subsystems[i]), body(data.bodies[j]) {}
-  std::size_t slices() const { return parts.tiles.size(); }
+      : parts(g.subsystem(i).bodies[j]),
+        data(g.c.data.subsystems[i]),
+        body(data.bodies[j]),
+        slices(slices_of(body)) {}
+  std::size_t count() const { return slices ? parts.tiles.size() : 0; }
 };
 
 bool is_solved_by_slices(const Assembly<Space>& g, int i, int j) {
-  return g.c.formulation == Formulation::structured && is_tiled(g.c.data.subsystems[i].bodies[j]);
+  return g.c.formulation == Formulation::structured && slices_of(g.c.data.subsystems[i].bodies[j]);
 }
 
 void add_completion(const Assembly<Space>& g, int i, int j) {
@@ -43,11 +45,12 @@ void add_completion(const Assembly<Space>& g, int i, int j) {
   const Method& method = g.c.integrator.method;
   g.builder.add_node(g.label(stages::kCompletion, i, j), reads(inputs, own.parts.solution),
                      writes(outputs),
-                     unless_halted(*own.data.progress, [&data = own.data, &method, j]() noexcept {
-                       BodyData<Space>& body = data.bodies[j];
-                       structured::take_slices(body, body.a_found);
-                       complete_recovery(method, j, data);
-                     }));
+                     unless_halted(*own.data.progress,
+                                   [&data = own.data, slices = own.slices, &method, j]() noexcept {
+                                     BodyData<Space>& body = data.bodies[j];
+                                     slices->take(body, body.a_found);
+                                     complete_recovery(method, j, data);
+                                   }));
 }
 
 }  // namespace
@@ -62,26 +65,27 @@ void add_backward(const Assembly<Plane>&, int, int) {}
 template <>
 void add_mass_tiles(const Assembly<Space>& g, int i, int j, const PartList& inputs) {
   const TiledBody own(g, i, j);
-  if (!is_tiled(own.body)) return;
   const System<Space>& system = g.c.system;
-  for (std::size_t p = 0; p < own.slices(); ++p)
+  for (std::size_t p = 0; p < own.count(); ++p)
     g.builder.add_node(
         label_of(g, stages::kMassTile, i, j, p), reads(inputs), writes(own.parts.tiles[p]),
-        unless_halted(*own.data.progress, [&system, &data = own.data, j, p]() noexcept {
-          calc_tile_terms(system, data.progress->control.time, j, static_cast<int>(p), data);
-        }));
+        unless_halted(
+            *own.data.progress, [&system, &data = own.data, slices = own.slices, j, p]() noexcept {
+              slices->calc_terms(system, data.progress->control.time, j, static_cast<int>(p), data);
+            }));
 }
 
 template <>
 void add_forward(const Assembly<Space>& g, int i, int j) {
   if (!is_solved_by_slices(g, i, j)) return;
   const TiledBody own(g, i, j);
-  for (std::size_t p = 0; p < own.slices(); ++p)
+  for (std::size_t p = 0; p < own.count(); ++p)
     g.builder.add_node(
         label_of(g, stages::kForward, i, j, p), reads(g.subsystem(i).progress, own.parts.tiles[p]),
         writes(own.parts.halves[p]),
-        unless_halted(*own.data.progress, [&data = own.data, &body = own.body, p]() noexcept {
-          structured::condense_slice(body, static_cast<int>(p), data.progress->control.is_implicit);
+        unless_halted(*own.data.progress, [&data = own.data, &body = own.body, slices = own.slices,
+                                           p]() noexcept {
+          slices->condense(static_cast<int>(p), data.progress->control.is_implicit, body);
         }));
 }
 
@@ -90,14 +94,15 @@ void add_backward(const Assembly<Space>& g, int i, int j) {
   if (!is_solved_by_slices(g, i, j)) return;
   const TiledBody own(g, i, j);
   const SubsystemParts& subsystem = g.subsystem(i);
-  for (std::size_t p = 0; p < own.slices(); ++p)
+  for (std::size_t p = 0; p < own.count(); ++p)
     g.builder.add_node(
         label_of(g, stages::kBackward, i, j, p),
         reads(subsystem.progress, subsystem.wrenches, subsystem.rotations, own.parts.accelerations,
               own.parts.halves[p], own.parts.solution.back()),
         writes(own.parts.solution[p]),
-        unless_halted(*own.data.progress, [&data = own.data, &body = own.body, p]() noexcept {
-          structured::recover_slice(body, static_cast<int>(p), data.progress->control.is_implicit);
+        unless_halted(*own.data.progress, [&data = own.data, &body = own.body, slices = own.slices,
+                                           p]() noexcept {
+          slices->recover(static_cast<int>(p), data.progress->control.is_implicit, body);
         }));
   add_completion(g, i, j);
 }

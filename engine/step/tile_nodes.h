@@ -3,13 +3,14 @@
 // The nodes of the slices of a solid in nodal coordinates, where it has several: its terms and its
 // solution are several nodes of one body.
 
-#include "engine/space/table_access.h"
 #include "engine/step/assembly.h"
+#include "engine/table/body_kind.h"
 
 namespace spoke {
 
-/// In the plane no body has slices.
-inline bool is_tiled(const BodyData<Plane>&) { return false; }
+/// Returns what a body does by slices; null if it has none of its own. In the plane none has.
+inline const BodySlices* slices_of(const BodyData<Plane>&) { return nullptr; }
+inline const BodySlices* slices_of(const BodyData<Space>& body) { return body.kind->slices(body); }
 
 /// Adds the nodes of the terms of each slice, which read `inputs`.
 template <class World>

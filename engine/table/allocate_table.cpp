@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "engine/table/body_kind.h"
 #include "engine/table/body_parts.h"
 #include "engine/table/step_data.h"
 #include "models/system/spatial_system.h"
@@ -26,15 +27,6 @@ void place_joint_state(const TreeBody<Space>& model, const TableOptions& options
   if (options.is_explicit) data.joint.a_found = data.joint.coordinates.a;
 }
 
-plane::Section make_load_section(const BodyData<Plane>& data, const LoadPoint& point) {
-  plane::Section section = make_section(*data.model->body, data.layout, point.element, point.s);
-  section.x = point.x;
-  return section;
-}
-space::Section make_load_section(const BodyData<Space>& data, const LoadPoint& point) {
-  return space::make_section(*data.model->body, point.element, point.s);
-}
-
 double mass_of(const plane::FlexibleBody& body) { return body.mass; }
 double mass_of(const space::Body& body) { return body.mass(); }
 
@@ -42,13 +34,37 @@ double mass_of(const space::Body& body) { return body.mass(); }
 double extent_of(const plane::FlexibleBody& body) { return body.length; }
 double extent_of(const space::Body& body) { return body.extent(); }
 
+// What follows from the kind of a body, which in the plane is one.
+
+void choose_kind(BodyData<Plane>&) {}
+void choose_kind(BodyData<Space>& data) { data.kind = &kind_of(*data.model->body); }
+
+double find_surely_linear(const BodyData<Plane>& data) {
+  return calc_surely_linear(*data.model->body, data.linear_range);
+}
+double find_surely_linear(const BodyData<Space>& data) {
+  return data.kind->calc_surely_linear(*data.model->body, data.linear_range);
+}
+
+std::size_t count_fields(const BodyData<Plane>& data) { return count_fields(*data.model->body); }
+std::size_t count_fields(const BodyData<Space>& data) {
+  return data.kind->count_work(*data.model->body);
+}
+
+void place_fields(double* memory, BodyData<Plane>& data) {
+  place_fields(*data.model->body, memory, data);
+}
+void place_fields(double* memory, BodyData<Space>& data) {
+  data.work = data.kind->place_work(*data.model->body, memory);
+}
+
 /// Lays out the coordinates of a body.
 template <class World>
 void lay_out(double range, BodyData<World>& data) {
   const typename World::Body& body = *data.model->body;
   data.layout = make_layout(body);
   data.linear_range = range * extent_of(body);
-  data.surely_linear = calc_surely_linear(body, data.linear_range);
+  data.surely_linear = find_surely_linear(data);
   set_extent(data.layout, data.coordinates);
 }
 
@@ -108,10 +124,11 @@ void allocate(const Subsystem<World>& subsystem, const TableOptions& options,
   std::size_t state = BodyTypes<World>::Layout::kPad, fields = state;
   for (std::size_t j = 0; j < count; ++j) {
     data.bodies[j].model = &subsystem.bodies[j];
+    choose_kind(data.bodies[j]);
     lay_out(options.linear_range, data.bodies[j]);
     state += static_cast<std::size_t>(data.bodies[j].layout.stride() * flex_vectors) +
              count_joint_state(subsystem.bodies[j], options.history);
-    fields += count_fields(*subsystem.bodies[j].body);
+    fields += count_fields(data.bodies[j]);
   }
   data.modal_forces = ArenaVector<double>(subsystem.modal_factors.size(), 0.0, arena);
   data.state = ArenaVector<double>(state, 0.0, arena);
@@ -128,46 +145,33 @@ void allocate(const Subsystem<World>& subsystem, const TableOptions& options,
     place_joint_state(*body.model, options,
                       std::exchange(next, next + count_joint_state(*body.model, options.history)),
                       body);
-    const typename World::Body& shape = *body.model->body;
-    place_fields(shape, std::exchange(next_fields, next_fields + count_fields(shape)), body);
+    place_fields(std::exchange(next_fields, next_fields + count_fields(body)), body);
     body.X.setZero();
     body.report = {};
   }
   declare_parts(data);
 }
 
-/// Finds the sections at which a load acts on a body.
-template <class World, class Load>
-PlacedLoad<World, Load> place(const Load& load, const BodyData<World>& data) {
-  PlacedLoad<World, Load> placed{&load, {}};
-  for (const auto& point : load.points) placed.sections.push_back(make_load_section(data, point));
+/// Finds the places at which a load of the scenario acts on a body.
+template <class Load>
+PlacedLoad<Plane, Load> place(const Load& load, const BodyData<Plane>& data) {
+  PlacedLoad<Plane, Load> placed{&load, {}};
+  for (const auto& point : load.points) {
+    placed.sections.push_back(make_section(*data.model->body, data.layout, point.element, point.s));
+    placed.sections.back().x = point.x;
+  }
   return placed;
 }
 
-PlacedLoad<Space, BodyLoad<Space>> place(const BodyLoad<Space>& load, const BodyData<Space>& data) {
-  const space::Body& body = *data.model->body;
-  if (const space::Solid* solid = body.solid()) {
-    PlacedLoad<Space, BodyLoad<Space>> placed{&load, {}, {}};
-    for (const BodyLoad<Space>::Point& point : load.points)
-      placed.places.push_back(make_solid_section(*solid, point.element));
-    return placed;
-  }
-  if (!body.flexible()) return {&load, {}, {}};
-  std::vector<space::Section> sections;
-  std::vector<double> weights;
-  for (const BodyLoad<Space>::Point& point : load.points) {
-    sections.push_back(space::make_section(body, point.element, point.s));
-    weights.push_back(point.weight);
-  }
-  return {&load, make_loaded_sections(*body.flexible(), sections, weights), {}};
+/// Places loads and drag; in space there is no drag.
+void place_loads(BodyData<Plane>& body) {
+  for (const BodyLoad<Plane>& load : body.model->loads) body.loads.push_back(place(load, body));
+  for (const BodyDrag<Plane>& drag : body.model->drags) body.drags.push_back(place(drag, body));
 }
-
-template <class World, class Load>
-std::vector<PlacedLoad<World, Load>> place_all(const std::vector<Load>& loads,
-                                               const BodyData<World>& data) {
-  std::vector<PlacedLoad<World, Load>> placed;
-  for (const Load& load : loads) placed.push_back(place(load, data));
-  return placed;
+void place_loads(BodyData<Space>& body) {
+  assert(body.model->drags.empty());
+  for (const BodyLoad<Space>& load : body.model->loads)
+    body.loads.push_back(body.kind->place_load(load, *body.model->body));
 }
 
 /// Whether drag on a body depends on where it is in the hub's frame.
@@ -297,10 +301,7 @@ void allocate(const System<World>& system, const TableOptions& options, StepData
     subsystem.arena = data.arenas.emplace_back(std::make_unique<Arena>()).get();
     subsystem.part_maker = PartMaker(data.all_parts, static_cast<int>(i), *data.names);
     allocate(system.subsystems[i], options, subsystem);
-    for (BodyData<World>& body : subsystem.bodies) {
-      body.loads = place_all(body.model->loads, body);
-      body.drags = place_all(body.model->drags, body);
-    }
+    for (BodyData<World>& body : subsystem.bodies) place_loads(body);
     const std::vector<TreeBody<World>>& bodies = system.subsystems[i].bodies;
     const PartMaker& maker = subsystem.part_maker;
     if (std::any_of(bodies.begin(), bodies.end(), has_drag_in_hub<World>)) {

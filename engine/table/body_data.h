@@ -73,9 +73,6 @@ struct BodyData : BodyTypes<World>::Fields {
 inline bool has_nonlinear_strain(const BodyData<Plane>& body) {
   return body.model->body->is_nonlinear();
 }
-inline bool has_nonlinear_strain(const BodyData<Space>& body) {
-  const space::FlexibleBody* flexible = body.model->body->flexible();
-  return flexible && flexible->is_nonlinear();
-}
+bool has_nonlinear_strain(const BodyData<Space>& body);
 
 }  // namespace spoke

@@ -10,7 +10,7 @@
 #include "engine/act/marker_parts.h"
 #include "engine/kernels/kinematics.h"
 #include "engine/kernels/marker_motion.h"
-#include "engine/space/section.h"
+#include "engine/table/body_kind.h"
 
 namespace spoke {
 namespace {
@@ -51,8 +51,7 @@ AirSum sum_up(const air::RotorPlace& rotor, const std::vector<MarkerMotion>& sta
 PlacedMarker<Space> place_station(const BladeAirModel::Place& place, std::size_t i,
                                   const SubsystemData<Space>& data) {
   const space::Body& body = *data.bodies[static_cast<std::size_t>(place.body)].model->body;
-  return {static_cast<int>(i), place.body,
-          make_section(*body.beam, *body.flexible(), place.station)};
+  return {static_cast<int>(i), place.body, kind_of(body).section_at(body, place.station)};
 }
 
 std::unique_ptr<AirData> place_on(const BladeAirModel& model, std::size_t i,

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cassert>
 #include <exception>
-#include <string_view>
 
+#include "engine/kernels/marker_rules.h"
+#include "engine/table/body_kind.h"
 #include "models/count_text.h"
 #include "models/error.h"
-#include "models/support/nearest_name.h"
 
 namespace spoke {
 namespace {
@@ -40,57 +40,15 @@ void require_index(const std::string& whose, const char* what, int index, std::s
 
 // Functions that differ by world.
 
-void require_no_interface(const std::string& whose, const Marker& marker) {
-  if (!marker.interface.empty())
-    throw InputError(whose + ": its interface \"" + marker.interface +
-                     "\" belongs to solids, expected none");
-}
-
-void require_on_beam(const std::string& whose, const Marker& marker) {
-  require_no_interface(whose, marker);
-  if (!marker.point.isZero(0.0))
-    throw InputError(whose + ": its point belongs to rigid bodies, expected a station on a beam");
-  if (!(marker.station >= 0.0 && marker.station <= 1.0))
-    throw InputError(whose + ": station " + std::to_string(marker.station) + ", expected 0 to 1");
-}
-
 plane::Section place_section(const std::string& whose, const Marker& marker,
                              const BodyData<Plane>& body) {
   require_on_beam(whose, marker);
   return make_section(*body.model->body, body.layout, marker.station);
 }
 
-/// Returns the section at the interface of a marker.
-space::Section place_on_solid(const std::string& whose, const Marker& marker,
-                              const space::Solid& solid) {
-  if (marker.station != 0.0 || !marker.point.isZero(0.0))
-    throw InputError(whose + ": its station and its point belong to beams and rigid bodies, " +
-                     "expected the interface of a solid");
-  const space::SolidConstants& constants = *solid.constants;
-  std::vector<std::string_view> names;
-  for (int i = 0; i < constants.interfaces; ++i)
-    names.push_back(constants.places[static_cast<std::size_t>(i)].name);
-  if (marker.interface.empty() && names.size() == 2) return make_solid_section(solid, 1);
-  const auto at = std::find(names.begin(), names.end(), marker.interface);
-  if (at == names.end())
-    throw InputError(whose + ": its interface " + describe_unknown(marker.interface, names));
-  return make_solid_section(solid, static_cast<int>(at - names.begin()));
-}
-
 space::Section place_section(const std::string& whose, const Marker& marker,
                              const BodyData<Space>& body) {
-  const space::Body& model = *body.model->body;
-  if (const space::FlexibleBody* flexible = model.flexible()) {
-    require_on_beam(whose, marker);
-    const double from = flexible->stations.front(), to = flexible->stations.back();
-    return make_section(*model.beam, *flexible, from + marker.station * (to - from));
-  }
-  if (const space::Solid* solid = model.solid()) return place_on_solid(whose, marker, *solid);
-  require_no_interface(whose, marker);
-  if (marker.station != 0.0)
-    throw InputError(whose + ": its station belongs to beams, expected a point on a rigid body");
-  if (!marker.point.allFinite()) throw InputError(whose + ": its point is not finite");
-  return space::make_rigid_section(marker.point);
+  return body.kind->place_marker(whose, marker, *body.model->body);
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include <random>
 #include <vector>
 
-#include "engine/space/body_terms.h"
-#include "engine/space/condense_body.h"
+#include "engine/space/bodies/beam/body_terms.h"
+#include "engine/space/bodies/beam/condense_body.h"
 #include "models/support/simd.h"
 #include "tests/models/space/beams.h"
 

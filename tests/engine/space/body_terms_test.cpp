@@ -1,4 +1,4 @@
-#include "engine/space/body_terms.h"
+#include "engine/space/bodies/beam/body_terms.h"
 
 #include <doctest/doctest.h>
 

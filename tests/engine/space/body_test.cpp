@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 
 #include "engine/kernels/dense_body.h"
+#include "engine/table/body_kind.h"
 #include "tests/engine/space/bodies.h"
 
 // Within the namespace: the plane's types have the same names.
@@ -17,7 +18,7 @@ TEST_CASE("all formulations have one constant block of a body, with the damping 
     REQUIRE(test->body.is_damped);
     const Body body{test->body, nullptr};
     const Eigen::MatrixXd inverse = spoke::make_dense_elastic_block(body, kImplicit).inverse();
-    const Block block = make_block(body, kImplicit);
+    const Block block = kind_of(body).make_block(body, kImplicit);
     for (std::size_t h = 0; h < test->body.handles.size(); ++h) {
       TwistMatrix expected = TwistMatrix::Zero();
       for (int i = 0; i < kTwist; ++i)

@@ -1,4 +1,4 @@
-#include "engine/space/condense_body.h"
+#include "engine/space/bodies/beam/condense_body.h"
 
 #include <doctest/doctest.h>
 

@@ -4,9 +4,9 @@
 
 #include <Eigen/Dense>
 
-#include "engine/space/condense_solid.h"
+#include "engine/space/bodies/solid/condense_solid.h"
+#include "engine/space/bodies/solid/solid_places.h"
 #include "engine/space/nodal_memory.h"
-#include "engine/space/solid_places.h"
 #include "models/solid/order_coordinates.h"
 #include "models/space/nodal_mass.h"
 #include "tests/engine/space/lattice_solid.h"

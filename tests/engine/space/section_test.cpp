@@ -5,8 +5,8 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "engine/space/bodies/beam/deformation_limits.h"
 #include "engine/space/body_energies.h"
-#include "engine/space/deformation_limits.h"
 #include "tests/engine/space/bodies.h"
 #include "tests/models/space/beam_equations.h"
 

@@ -1,17 +1,13 @@
 // Looks through a body's coordinates for the largest deflection and for violations of the limits.
 
-#include "engine/space/deformation_limits.h"
+#include "engine/space/bodies/beam/deformation_limits.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
 
-#include "engine/kernels/deformation_limits.h"
-#include "engine/space/solid_limits.h"
-
-namespace spoke {
-namespace space {
+namespace spoke::space {
 namespace {
 
 /// Returns the coordinates of one node.
@@ -74,24 +70,4 @@ LimitViolation find_limit_violation(const FlexibleBody& body, const double* q) n
   return worst;
 }
 
-}  // namespace space
-
-bool has_left_limits(const BodyData<Space>& body) noexcept {
-  if (const space::Solid* solid = body.model->body->solid())
-    return space::find_limit_violation(*solid, body.coordinates.q).coordinate >= 0;
-  const space::FlexibleBody* flexible = body.model->body->flexible();
-  return flexible && space::find_limit_violation(*flexible, body.coordinates.q).node >= 0;
-}
-
-double find_large_deflection(const BodyData<Space>& body) noexcept {
-  if (const space::Solid* solid = body.model->body->solid()) {
-    const double found = space::find_largest_deflection(*solid, body.coordinates.q);
-    return found * solid->constants->extent > body.linear_range ? found : 0.0;
-  }
-  const space::FlexibleBody* flexible = body.model->body->flexible();
-  if (!flexible) return 0.0;
-  const double largest = space::find_largest_deflection(*flexible, body.coordinates.q);
-  return largest * flexible->length() > body.linear_range ? largest : 0.0;
-}
-
-}  // namespace spoke
+}  // namespace spoke::space

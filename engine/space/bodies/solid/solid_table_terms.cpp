@@ -1,22 +1,15 @@
 // Hands the table's data to the kernels of solids.
 
-#include "engine/space/solid_table_terms.h"
+#include "engine/space/bodies/solid/solid_table_terms.h"
 
 #include <cassert>
 
-#include "engine/space/condense_solid.h"
-#include "engine/space/nodal_body.h"
+#include "engine/space/bodies/solid/solid_places.h"
 #include "engine/space/nodal_tension.h"
-#include "engine/space/solid_places.h"
 #include "engine/space/table_access.h"
 
 namespace spoke {
 namespace {
-
-const space::Solid& solid_of(const BodyData<Space>& body) {
-  assert(body.model->body->solid());
-  return *body.model->body->solid();
-}
 
 /// What is applied to a solid, as it is added.
 class AppliedToSolid {
@@ -29,7 +22,7 @@ class AppliedToSolid {
   void add(const space::Section& section, const space::Twist& wrench) {
     const space::HandleMotion motion = motion_at(body_, section);
     add_place_wrench(*section.place, motion, wrench, body_.terms, body_.work);
-    body_.terms.load_power += wrench.dot(motion.carry(twist_) + motion.twist());
+    body_.terms.load_power += calc_wrench_power(wrench, motion, twist_);
     add_tension(section.place_number, turn_ * space::Position(linear(wrench)));
   }
   /// Adds the tension of a force on a place, along the axes of the undeformed tree.
@@ -59,21 +52,17 @@ class AppliedToSolid {
 
 }  // namespace
 
+const space::Solid& solid_of(const BodyData<Space>& body) noexcept {
+  assert(body.model->body->solid());
+  return *body.model->body->solid();
+}
+
 space::SolidModel solid_model_of(const BodyData<Space>& body) {
   assert(body.blocks[0] && body.blocks[0]->solid && body.blocks[1] && body.blocks[1]->solid);
   const auto& products = body.blocks[0]->products;
   const auto& place = body.model->stiffening;
   return {&solid_of(body), products ? &*products : nullptr, body.solid_tension,
           place ? &*place : nullptr, body.tiles};
-}
-
-void calc_tile_terms(const System<Space>& system, double t, int j, int p,
-                     SubsystemData<Space>& data) noexcept {
-  const auto index = static_cast<std::size_t>(j);
-  const BodyData<Space>& body = data.bodies[index];
-  const space::BodyMotion motion{angular(data.twists[index]), angular(data.hub->twist),
-                                 calc_tension_field(system, t, data)};
-  calc_nodal_tile(solid_model_of(body), p, body_state_of(body), motion, system.damping, body.work);
 }
 
 void add_applied_to_solid(double t, const space::Rotation& R_HB, std::size_t j,
@@ -97,10 +86,8 @@ void add_applied_to_solid(double t, const space::Rotation& R_HB, std::size_t j,
       const space::Rotation turned = motion_at(body, load.places[k]).turn.R;
       applied.add(load.places[k], calc_load_wrench(*load.load, k, t, R_HB, data.hub->R, turned));
     }
-  if (!model.stiffening) return;
-  const space::Angular on_hub = model.stiffening->R_HB * applied.on_hub();
-  body.terms.stiffening.moment += on_hub;
-  body.terms.load_power += on_hub.dot(space::Angular(angular(data.hub->twist)));
+  if (model.stiffening)
+    add_hub_moment(model.stiffening->R_HB * applied.on_hub(), *data.hub, body.terms);
 }
 
 space::PlaceDrawn calc_solid_drawn(const BodyData<Space>& body, int place_number, const double* q,

@@ -1,6 +1,6 @@
 // Calculates slots from coordinates, and products with their scalar mass matrix, node by node.
 
-#include "engine/space/body_slots.h"
+#include "engine/space/bodies/beam/body_slots.h"
 
 #include <cassert>
 #include <utility>

@@ -1,6 +1,6 @@
 // Evaluates places by the columns of E that are not zero.
 
-#include "engine/space/solid_places.h"
+#include "engine/space/bodies/solid/solid_places.h"
 
 #include <cassert>
 

@@ -2,17 +2,14 @@
 
 // The table's data for the kernels of solids.
 
-#include "engine/space/solid_terms.h"
+#include "engine/space/bodies/solid/solid_terms.h"
 #include "engine/table/step_data.h"
 
 namespace spoke {
 
-/// Returns the constants that the kernels of a solid read. Precondition: the body is a solid.
+/// Return the constants of a solid, and those that its kernels read. Precondition: the body is one.
+const space::Solid& solid_of(const BodyData<Space>& body) noexcept;
 space::SolidModel solid_model_of(const BodyData<Space>& body);
-
-/// Calculates the terms of tile p of solid `j`, which is in nodal coordinates, at time t [s].
-void calc_tile_terms(const System<Space>& system, double t, int j, int p,
-                     SubsystemData<Space>& data) noexcept;
 
 /// Adds all that is applied to solid `j`, loads of the user's, then those of the scenario, and the
 /// tension of these and of the forces beyond the body. R_HB: only if a load is resolved in other

@@ -1,16 +1,16 @@
 // Calculates inertia forces from the slots' momenta, elastic and damping forces from the elements.
 
-#include "engine/space/body_terms.h"
+#include "engine/space/bodies/beam/body_terms.h"
 
 #include <algorithm>
 #include <cassert>
 
+#include "engine/space/bodies/beam/body_slots.h"
+#include "engine/space/bodies/beam/straight_terms.h"
 #include "engine/space/body_scratch.h"
-#include "engine/space/body_slots.h"
 #include "engine/space/body_stiffening.h"
 #include "engine/space/element_products.h"
 #include "engine/space/nonlinear_strain.h"
-#include "engine/space/straight_terms.h"
 #include "models/support/wide_kernels.h"
 
 namespace spoke::space {

@@ -1,6 +1,6 @@
 // Takes both planes of bending by the same formulas: a rise between the nodes, and a slope at each.
 
-#include "engine/space/straight_forces.h"
+#include "engine/space/bodies/beam/straight_forces.h"
 
 #include "engine/space/body_stiffening.h"
 #include "engine/space/tension_weights.h"

@@ -1,6 +1,6 @@
 // Hands motion and stiffening to the tiles, and what they have summed to the body.
 
-#include "engine/space/nodal_body.h"
+#include "engine/space/bodies/nodal/nodal_body.h"
 
 #include <algorithm>
 #include <cassert>

@@ -3,7 +3,7 @@
 // The terms of a solid in nodal coordinates, from its tiles (nodal_terms.h), as those of a reduced
 // one (solid_terms.h).
 
-#include "engine/space/solid_model.h"
+#include "engine/space/bodies/solid/solid_model.h"
 #include "models/rotor.h"
 
 namespace spoke::space {

@@ -1,12 +1,12 @@
 // Calculates elastic and tension forces by element, then momenta, rows and sums by node.
 
-#include "engine/space/straight_terms.h"
+#include "engine/space/bodies/beam/straight_terms.h"
 
 #include <algorithm>
 #include <cassert>
 
+#include "engine/space/bodies/beam/straight_forces.h"
 #include "engine/space/lanes.h"
-#include "engine/space/straight_forces.h"
 #include "models/support/wide_kernels.h"
 
 namespace spoke::space {

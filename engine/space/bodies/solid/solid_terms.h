@@ -3,8 +3,8 @@
 // The terms of a solid's equation of motion at a state, (P 3) of a body from a mesh
 // (docs/formulation.md, section 13).
 
+#include "engine/space/bodies/solid/solid_model.h"
 #include "engine/space/body_energies.h"
-#include "engine/space/solid_model.h"
 #include "models/rotor.h"
 
 namespace spoke::space {

@@ -1,11 +1,11 @@
 // Forms the terms of a reduced solid from its products.
 
-#include "engine/space/solid_terms.h"
+#include "engine/space/bodies/solid/solid_terms.h"
 
 #include <algorithm>
 #include <cassert>
 
-#include "engine/space/nodal_body.h"
+#include "engine/space/bodies/nodal/nodal_body.h"
 #include "engine/space/solid_block.h"
 #include "models/support/wide_kernels.h"
 

@@ -1,6 +1,6 @@
 // Sums products of half solutions, coordinate by coordinate.
 
-#include "engine/space/condense_solid.h"
+#include "engine/space/bodies/solid/condense_solid.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,6 +1,6 @@
 // Goes outward once with four right-hand sides side by side, and back once with one.
 
-#include "engine/space/condense_body.h"
+#include "engine/space/bodies/beam/condense_body.h"
 
 #include <algorithm>
 #include <cassert>

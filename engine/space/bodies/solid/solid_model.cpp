@@ -1,4 +1,4 @@
-#include "engine/space/solid_model.h"
+#include "engine/space/bodies/solid/solid_model.h"
 
 namespace spoke::space {
 
