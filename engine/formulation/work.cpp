@@ -42,23 +42,31 @@ Eigen::MatrixXd make_dense_block(const space::Body& body, const ElasticShares& s
 template <class World>
 using BodyKey = const typename World::Body*;
 
+/// Returns what a map has for a key. Adds what `make` returns if it has none: where copies share
+/// the map, it is not changed.
+template <class Map, class Make>
+auto& find_or_add(Map& map, const typename Map::key_type& key, const Make& make) {
+  const auto found = map.find(key);
+  return found != map.end() ? found->second : map.emplace(key, make()).first->second;
+}
+
 /// Makes the dense elastic blocks of all bodies, by subsystem and body, shared by bodies of one
 /// type.
 template <class World>
-std::vector<std::vector<subsystem::DenseBlocks>> make_dense_blocks(const StepData<World>& data,
-                                                                   const ElasticShares& implicit) {
-  std::map<BodyKey<World>, subsystem::DenseBlocks> made;
+std::vector<std::vector<subsystem::DenseBlocks>> make_dense_blocks(
+    const StepData<World>& data, const ElasticShares& implicit,
+    FormulationConstants<World>& constants) {
   std::vector<std::vector<subsystem::DenseBlocks>> blocks;
   for (const SubsystemData<World>& subsystem : data.subsystems) {
     blocks.emplace_back();
     for (const BodyData<World>& member : subsystem.bodies) {
       const typename World::Body& body = *member.model->body;
-      subsystem::DenseBlocks& pair = made[&body];
-      if (!pair[0]) {
-        pair[0] = std::make_shared<Eigen::MatrixXd>(make_dense_block(body, ElasticShares{}));
-        pair[1] = std::make_shared<Eigen::MatrixXd>(make_dense_block(body, implicit));
-      }
-      blocks.back().push_back(pair);
+      const auto make = [&](const ElasticShares& shares) {
+        return std::make_shared<Eigen::MatrixXd>(make_dense_block(body, shares));
+      };
+      blocks.back().push_back(find_or_add(constants.dense, &body, [&] {
+        return subsystem::DenseBlocks{make(ElasticShares{}), make(implicit)};
+      }));
     }
   }
   return blocks;
@@ -74,12 +82,8 @@ void add_solid_tension(const space::Solid& solid, BodyData<Space>& member,
   const space::SolidTension* in_tree = place ? place->solid.get() : nullptr;
   const void* key = &constants;
   if (in_tree) key = in_tree;
-  const auto at = work.solid_tensions.find(key);
-  member.solid_tension =
-      at != work.solid_tensions.end()
-          ? &at->second
-          : &work.solid_tensions.emplace(key, make_tension_columns(constants, in_tree))
-                 .first->second;
+  member.solid_tension = &find_or_add(work.constants->solid_tensions, key,
+                                      [&] { return make_tension_columns(constants, in_tree); });
 }
 
 /// Hands a solid in nodal coordinates its tiles, and memory for its kernels.
@@ -87,9 +91,8 @@ void add_tiles(const space::Solid& solid, BodyData<Space>& member, FormulationWo
   const auto& place = member.model->stiffening;
   const space::SolidTension* tension = member.solid_tension && place ? place->solid.get() : nullptr;
   const space::SolidConstants& constants = *solid.constants;
-  const auto [at, is_new] = work.tiles.try_emplace({&constants, tension});
-  if (is_new) at->second = space::make_nodal_tiles(constants, tension);
-  member.tiles = &at->second;
+  member.tiles = &find_or_add(work.constants->tiles, {&constants, tension},
+                              [&] { return space::make_nodal_tiles(constants, tension); });
   work.nodal_memory.push_back(std::make_unique<space::NodalMemory>());
   space::place_nodal_work(solid, *member.tiles, *member.blocks[0]->solid, *member.blocks[1]->solid,
                           *work.nodal_memory.back(), member.work);
@@ -134,12 +137,10 @@ void make_elastic_blocks(const ElasticShares& implicit, StepData<World>& data,
     for (std::size_t j = 0; j < subsystem.bodies.size(); ++j) {
       BodyData<World>& member = subsystem.bodies[j];
       const typename World::Body& body = *member.model->body;
-      const auto [at, is_new] = work.blocks.try_emplace(&body);
-      if (is_new) {
-        at->second[0] = make_block(body, ElasticShares{});
-        at->second[1] = make_block(body, implicit);
-      }
-      member.blocks = {&at->second[0], &at->second[1]};
+      const auto& pair = find_or_add(work.constants->blocks, &body, [&] {
+        return std::array{make_block(body, ElasticShares{}), make_block(body, implicit)};
+      });
+      member.blocks = {&pair[0], &pair[1]};
       add_tension(implicit, member, work);
       declare_tension(j, subsystem);
       declare_tiles(j, subsystem);
@@ -290,7 +291,7 @@ void allocate(const System<World>& system, Formulation formulation, const Elasti
       structured::allocate(data.subsystems[i], work.structured[i]);
     return;
   }
-  auto blocks = make_dense_blocks(data, implicit);
+  auto blocks = make_dense_blocks(data, implicit, *work.constants);
   if (formulation == Formulation::augmented)
     return augmented::allocate(system, std::move(blocks), data, work.augmented);
   work.subsystem.resize(count);
