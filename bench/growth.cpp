@@ -9,7 +9,12 @@
 //
 //   rotors in space, by blades: the same;
 //
-//   solids in the coordinates of their nodes, by coordinates: the same.
+//   solids in the coordinates of their nodes, by coordinates: the same; and of all these kinds what
+//   a clone takes;
+//
+//   the largest of each kind, rotors of 1,000 blades of 64 bodies, with and without 100 springs
+//   from each blade to its hub, and a shipped turbine: memory, work, span, and what many processors
+//   could make of them.
 
 #include <spdlog/fmt/fmt.h>
 
@@ -18,6 +23,7 @@
 #include <vector>
 
 #include "bench/four_bars.h"
+#include "bench/growth_bounds.h"
 #include "bench/growth_models.h"
 #include "bench/growth_table.h"
 #include "bench/questions.h"
@@ -30,6 +36,7 @@ constexpr std::array kChains{50, 200, 1000, 4000};
 constexpr std::array kBlades{3, 30, 300};
 constexpr std::array kCells{8, 16, 32, 64};
 constexpr int kLoopSteps = 50, kSteps = 3;
+constexpr int kManyBlades = 1000, kSpringsPerBlade = 100;
 constexpr double kMostExponentOfLoops = 1.2, kMostPerBody = 1.5;
 
 /// Small ones many times a turn: the first pays for pages that large ones have given back.
@@ -60,13 +67,16 @@ double measure_kind(const std::string& kind, const std::string& items,
                     const std::array<int, n>& sizes, Scenario (*make)(int), int (*count)(int),
                     const Effort& effort, bool quick, Report& report) {
   Growth evaluations{kind + ", an evaluation", items}, starts{kind + ", the start", items};
+  Growth clones{kind + ", a clone", items};
   for (std::size_t k = 0; k < (quick ? n - 2 : n); ++k) {
     const Scenario scenario = make(sizes[k]);
     evaluations.add(count(sizes[k]), scenario, kSteps, Growth::Unit::evaluation);
     starts.add_start(count(sizes[k]), scenario);
+    clones.add_clone(count(sizes[k]), scenario);
   }
   const double per_item = measure_growth(evaluations, effort, report).per_item;
   measure_growth(starts, effort_of_starts(effort), report);
+  measure_growth(clones, effort_of_starts(effort), report);
   return per_item;
 }
 
@@ -83,6 +93,29 @@ void measure_chains(const Effort& effort, bool quick, Report& report) {
   report.add_target(at_most("chains in the plane" + name, in_plane, kMostPerBody));
 }
 
+/// Measures what many processors could make of large models; a smoke run of small ones.
+void measure_large(bool quick, Report& report) {
+  const auto name = [](const char* text, int count) {
+    return fmt::format(fmt::runtime(text), count);
+  };
+  std::vector<LargeModel> models;
+  const int row = quick ? kRows[0] : kRows.back(), chain = quick ? kChains[0] : kChains.back(),
+            blades = quick ? kBlades[0] : kBlades.back(), cells = quick ? kCells[0] : kCells.back();
+  models.push_back({name("{} four-bars in a row", row), row_of_four_bars(row)});
+  models.push_back({name("chain of {} bodies in space", chain), chain_in_space(chain)});
+  models.push_back({name("chain of {} bodies in the plane", chain), chain_in_plane(chain)});
+  models.push_back({name("rotor of {} blades", blades), rotor_in_space(blades)});
+  models.push_back(
+      {name("nodal solid of {} coordinates", count_unknowns(cells)), nodal_bar(cells)});
+  const int many = quick ? 3 : kManyBlades;
+  models.push_back({name("rotor of {} blades of 64 bodies", many), sprung_rotor(many, 64, 0)});
+  models.push_back(
+      {name("the same, 100 springs a blade", many), sprung_rotor(many, 64, kSpringsPerBlade)});
+  models.push_back(
+      {"nrel_5mw_in_wind.toml", read_scenario(SPOKE_MODELS_DIR "/nrel_5mw_in_wind.toml")});
+  measure_bounds(models, report);
+}
+
 }  // namespace
 
 void measure_growth(const QuestionOptions& options, Report& report) {
@@ -93,6 +126,7 @@ void measure_growth(const QuestionOptions& options, Report& report) {
   measure_kind("Rotors in space", "blades", kBlades, rotor_in_space, same, effort, quick, report);
   measure_kind("Solids in the coordinates of their nodes", "coordinates", kCells, nodal_bar,
                count_unknowns, effort, quick, report);
+  measure_large(quick, report);
 }
 
 }  // namespace spoke::bench

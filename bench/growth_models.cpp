@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "bench/box_mesh.h"
@@ -43,6 +44,23 @@ Scenario chain_in_plane(int bodies) {
 
 Scenario rotor_in_space(int blades) {
   return make_chain("spatial_wu_haug.toml", {blades, kBodies, kElements});
+}
+
+Scenario sprung_rotor(int blades, int bodies, int springs) {
+  Scenario scenario = make_chain("spatial_wu_haug.toml", {blades, bodies, kElements});
+  for (spatial::Blade& blade : scenario.space->blades) {
+    const double length = blade.beam.length;
+    for (int k = 0; k < springs; ++k) {
+      Loop& spring = blade.loops.emplace_back();
+      spring.name = "spring_" + std::to_string(k + 1);
+      spring.kind = LoopKind::distance;
+      spring.from.station = length * (k + 1) / springs;
+      spring.to.carrier = LoopPlace::Carrier::hub;
+      spring.to.point = spatial::Vector(0.0, 0.0, 1.0);
+      spring.stiffness = {1.0};  // N/m
+    }
+  }
+  return scenario;
 }
 
 Scenario nodal_bar(int cells) {

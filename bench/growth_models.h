@@ -14,6 +14,10 @@ Scenario chain_in_plane(int bodies);
 /// Returns a rotor of models/spatial_wu_haug.toml with so many blades of four bodies.
 Scenario rotor_in_space(int blades);
 
+/// Returns such a rotor with so many blades of so many bodies, each blade on so many springs, rods
+/// that give, from places along it to the hub.
+Scenario sprung_rotor(int blades, int bodies, int springs);
+
 /// Returns a bar that turns, of so many cells along it, in the coordinates of its nodes.
 Scenario nodal_bar(int cells);
 /// Returns the number of its coordinates.

@@ -19,17 +19,16 @@ namespace {
 
 const SimulationOptions kSerial{Formulation::structured, ExecutorKind::serial, 1};
 
-/// Returns the memory of this process that lies in pages [bytes]; those that are free, given back.
+std::string kilobytes(double bytes) { return fmt::format("{:.1f} kB", bytes / 1e3); }
+
+}  // namespace
+
 double resident_memory() {
   malloc_trim(0);
   double size = 0.0, resident = 0.0;
   std::ifstream("/proc/self/statm") >> size >> resident;
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
-
-std::string kilobytes(double bytes) { return fmt::format("{:.1f} kB", bytes / 1e3); }
-
-}  // namespace
 
 void Growth::add(int size, Alternative alternative) {
   alternative.name = std::to_string(size);
@@ -50,6 +49,11 @@ void Growth::add(int size, const Scenario& scenario, int steps, Unit unit) {
 
 void Growth::add_start(int size, const Scenario& scenario) {
   add(size, {"", [scenario] { const Simulation simulation(scenario, kSerial); }, {}, 1.0, 0});
+}
+
+void Growth::add_clone(int size, const Scenario& scenario) {
+  const auto original = std::make_shared<const Simulation>(scenario, kSerial);
+  add(size, {"", [original] { const Simulation clone = original->clone(); }, {}, 1.0, 0});
 }
 
 Exponents measure_growth(const Growth& growth, const Effort& effort, Report& report) {

@@ -26,6 +26,8 @@ struct Growth {
   void add(int size, const Scenario& scenario, int steps, Unit unit);
   /// Adds the start of a simulation.
   void add_start(int size, const Scenario& scenario);
+  /// Adds the cloning of a simulation.
+  void add_clone(int size, const Scenario& scenario);
 };
 
 /// Exponents from each size to the next, 1 where twice as much costs twice as much.
@@ -34,6 +36,9 @@ struct Exponents {
   /// Cost of an item of the largest size by that of one of the smallest.
   double per_item = 1.0;
 };
+
+/// Returns the memory of this process that lies in pages [bytes]; those that are free, given back.
+double resident_memory();
 
 /// Measures, prints and returns the exponents; all sizes in turns.
 Exponents measure_growth(const Growth& growth, const Effort& effort, Report& report);

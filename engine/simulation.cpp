@@ -32,6 +32,8 @@ Simulation::Simulation(const Scenario& scenario, const SimulationOptions& option
                            executor_name(), threads());
   core_->log.log_warnings(scenario, core_->seen, core_->make_warnings());
 }
+Simulation::Simulation(std::unique_ptr<SimulationCore> core) : core_(std::move(core)) {}
+Simulation Simulation::clone() const { return Simulation(core_->clone()); }
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;

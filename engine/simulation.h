@@ -82,7 +82,8 @@ struct AnchorMotion {
 
 class SimulationCore;
 
-/// Simulates one system. Not copyable; different Simulations may run in different threads.
+/// Simulates one system. Copied by clone() alone; different Simulations may run in different
+/// threads.
 class SPOKE_EXPORT Simulation {
  public:
   /// Builds the constants of the system, its step graph and executor, and evaluates the
@@ -94,6 +95,18 @@ class SPOKE_EXPORT Simulation {
   explicit Simulation(const Scenario& scenario, const SimulationOptions& options = {},
                       const Loads& loads = {});
   ~Simulation();
+  /// Returns a simulation at the same state, which goes on by itself to the bits that this one
+  /// would: states, sensors, warnings, with the drive, motions, factors and wind in force. It takes
+  /// the copying of the state, and a table and step graph of its own; the scenario is not read
+  /// again, and bodies, meshes, wind and the factors of their matrices, none of which changes, are
+  /// shared. So both may be stepped at once, in two threads; this one is not to be used by another
+  /// thread meanwhile. Loads of the program's own and a wind of its own are shared, too: both call
+  /// them, at times at once; what such a load keeps besides its arguments, both change. Options
+  /// are the same: each has an executor of its own, and "auto" chooses anew. Throws StateError
+  /// after a step that could not be completed, and if an observer or a load that this simulation
+  /// calls asks; InputError if several processes simulate the model together, or its memory does
+  /// not suffice for another one.
+  Simulation clone() const;
   /// Moves a simulation. The one that is moved from may only be destroyed or assigned to.
   Simulation(Simulation&&) noexcept;
   /// Moves a simulation, as the constructor does.
@@ -300,6 +313,7 @@ class SPOKE_EXPORT Simulation {
 
  private:
   friend SimulationCore& core_of(Simulation& simulation);
+  explicit Simulation(std::unique_ptr<SimulationCore> core);
 
   std::unique_ptr<SimulationCore> core_;
 };

@@ -38,20 +38,20 @@ using BodyKey = const typename World::Body*;
 /// Makes the dense elastic blocks of all bodies, by subsystem and body, shared by bodies of one
 /// type.
 template <class World>
-std::vector<std::vector<subsystem::DenseBlocks>> make_dense_blocks(const StepData<World>& data,
-                                                                   const ElasticShares& implicit) {
-  std::map<BodyKey<World>, subsystem::DenseBlocks> made;
+std::vector<std::vector<subsystem::DenseBlocks>> make_dense_blocks(
+    const StepData<World>& data, const ElasticShares& implicit,
+    FormulationConstants<World>& constants) {
   std::vector<std::vector<subsystem::DenseBlocks>> blocks;
   for (const SubsystemData<World>& subsystem : data.subsystems) {
     blocks.emplace_back();
     for (const BodyData<World>& member : subsystem.bodies) {
       const typename World::Body& body = *member.model->body;
-      subsystem::DenseBlocks& pair = made[&body];
-      if (!pair[0]) {
-        pair[0] = std::make_shared<Eigen::MatrixXd>(make_dense_block(body, ElasticShares{}));
-        pair[1] = std::make_shared<Eigen::MatrixXd>(make_dense_block(body, implicit));
-      }
-      blocks.back().push_back(pair);
+      const auto make = [&](const ElasticShares& shares) {
+        return std::make_shared<Eigen::MatrixXd>(make_dense_block(body, shares));
+      };
+      blocks.back().push_back(find_or_add(constants.dense, &body, [&] {
+        return subsystem::DenseBlocks{make(ElasticShares{}), make(implicit)};
+      }));
     }
   }
   return blocks;
@@ -79,12 +79,10 @@ void make_elastic_blocks(const ElasticShares& implicit, StepData<World>& data,
     for (std::size_t j = 0; j < subsystem.bodies.size(); ++j) {
       BodyData<World>& member = subsystem.bodies[j];
       const typename World::Body& body = *member.model->body;
-      const auto [at, is_new] = work.blocks.try_emplace(&body);
-      if (is_new) {
-        at->second[0] = make_block(body, ElasticShares{});
-        at->second[1] = make_block(body, implicit);
-      }
-      member.blocks = {&at->second[0], &at->second[1]};
+      const auto& pair = find_or_add(work.constants->blocks, &body, [&] {
+        return std::array{make_block(body, ElasticShares{}), make_block(body, implicit)};
+      });
+      member.blocks = {&pair[0], &pair[1]};
       make_tension(implicit, work, member);
       declare_tension(j, subsystem);
     }
@@ -179,7 +177,7 @@ void allocate(const System<World>& system, Formulation formulation, const Elasti
       structured::allocate(data.subsystems[i], work.structured[i]);
     return;
   }
-  auto blocks = make_dense_blocks(data, implicit);
+  auto blocks = make_dense_blocks(data, implicit, *work.constants);
   if (formulation == Formulation::augmented)
     return augmented::allocate(system, std::move(blocks), data, work.augmented);
   work.subsystem.resize(count);

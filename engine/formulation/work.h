@@ -27,27 +27,46 @@ inline space::BlockFactors factors_of(const ElasticShares& shares) {
   return {shares.mass_factor, shares.stiffness_factor, shares.damping_factor};
 }
 
-/// Memory of the chosen formulation besides the table; that of the others stays empty.
+/// Returns what a map has for a key. Adds what `make` returns if it has none: where copies share
+/// the map, it is not changed.
+template <class Map, class Make>
+auto& find_or_add(Map& map, const typename Map::key_type& key, const Make& make) {
+  const auto found = map.find(key);
+  return found != map.end() ? found->second : map.emplace(key, make()).first->second;
+}
+
+/// Constants of a formulation. Copies of a table share them: allocate() adds what is missing, and
+/// nothing changes them.
 template <class World>
-struct FormulationWork {
-  std::vector<structured::SubsystemWork<World>> structured;
-  std::vector<subsystem::SubsystemWork<World>> subsystem;
-  augmented::Work augmented;
+struct FormulationConstants {
+  using Body = typename World::Body;
   /// Constant blocks, shared by bodies of one type: explicit, implicit. Terms of rigid bodies read
   /// them, whatever the formulation.
-  std::map<const typename World::Body*, std::array<typename BodyTypes<World>::Block, 2>> blocks;
-  /// Tension in implicit steps of spatial bodies that rotation stiffens.
-  std::vector<std::unique_ptr<space::ImplicitTension>> tensions;
-  std::vector<std::unique_ptr<typename BodyTypes<World>::ImplicitStrain>> strains;
+  std::map<const Body*, std::array<typename BodyTypes<World>::Block, 2>> blocks;
+  std::map<const Body*, subsystem::DenseBlocks> dense;  ///< of the dense formulations, likewise
   /// Stiffening of solids, by what it is made of, which bodies of one kind share: the matrices of
   /// their trees, or the constants of those that stiffen by their own rotation.
   std::map<const void*, space::SolidTensionColumns> solid_tensions;
-  /// Tiles of solids in nodal coordinates, by their constants and tension, and memory by body.
+  /// Tiles of solids in nodal coordinates, by their constants and tension.
   std::map<std::pair<const void*, const void*>, space::NodalTiles> tiles;
-  std::vector<std::unique_ptr<space::NodalMemory>> nodal_memory;
 };
 
-/// Makes the constants and allocates the work of one formulation for `data`.
+/// Memory of the chosen formulation besides the table; that of the others stays empty.
+template <class World>
+struct FormulationWork {
+  std::shared_ptr<FormulationConstants<World>> constants =
+      std::make_shared<FormulationConstants<World>>();
+  std::vector<structured::SubsystemWork<World>> structured;
+  std::vector<subsystem::SubsystemWork<World>> subsystem;
+  augmented::Work augmented;
+  /// Tension in implicit steps of spatial bodies that rotation stiffens.
+  std::vector<std::unique_ptr<space::ImplicitTension>> tensions;
+  std::vector<std::unique_ptr<typename BodyTypes<World>::ImplicitStrain>> strains;
+  std::vector<std::unique_ptr<space::NodalMemory>> nodal_memory;  ///< of solids, by body
+};
+
+/// Makes the constants that `work` has not yet, and allocates the work of one formulation for
+/// `data`.
 template <class World>
 void allocate(const System<World>& system, Formulation formulation, const ElasticShares& implicit,
               StepData<World>& data, FormulationWork<World>& work);

@@ -19,6 +19,7 @@
 #include "engine/simulation/simulated_model.h"
 #include "engine/simulation/spatial_model.h"
 #include "engine/simulation/views.h"
+#include "engine/step/copy_context.h"
 #include "engine/step/loop_start.h"
 #include "engine/step/model_memory.h"
 #include "engine/step/put_bodies.h"
@@ -43,6 +44,17 @@ class ModelOn final : public SimulatedModel {
     require_memory(system(), formulation);
   }
 
+  /// Begins a copy, see copy().
+  ModelOn(const ModelOn& original, const Scenario& scenario)
+      : scenario_(scenario),
+        context_(std::make_unique<SystemContext<World>>()),
+        own_(scenario, *context_, original.own_),
+        loads_(original.loads_in_force()),
+        keeps_momentum_(original.keeps_momentum_) {
+    begin_copy(*original.context_, *context_);
+    require_memory(system(), context_->formulation);
+  }
+
   StepContext& context() override { return *context_; }
   SystemContext<Plane>* plane() override { return this->template context_of<Plane>(); }
   SystemContext<Space>* space() override { return this->template context_of<Space>(); }
@@ -58,6 +70,14 @@ class ModelOn final : public SimulatedModel {
     std::vector<SensorColumn> asked = own_.place_sensors(asked_sensors());
     std::vector<SensorColumn> momentum = take_momentum(scenario_, keeps_momentum_, asked);
     sensors_.emplace(own_.make_sensors(std::move(asked), std::move(momentum)));
+  }
+  std::unique_ptr<SimulatedModel> copy(const Scenario& scenario, int records,
+                                       std::int64_t steps) override {
+    auto made = std::make_unique<ModelOn>(*this, scenario);
+    made->allocate(records);
+    made->sensors_.emplace(*sensors_);  // with what they compare with
+    end_copy(*context_, steps, *made->context_);
+    return made;
   }
   void share_out(Exchange& exchange) override { spoke::share_out(exchange, *context_); }
   std::vector<double> weights() const override { return weights_of(data()); }
@@ -189,6 +209,14 @@ class ModelOn final : public SimulatedModel {
     context->integrator = integrator;
     context->loop_limits = make_loop_limits(scenario.integration);
     return context;
+  }
+
+  /// Returns the loads of the user's, in place of those that were replaced what replaced them.
+  std::vector<AskedLoad> loads_in_force() const {
+    std::vector<AskedLoad> loads = loads_;
+    for (std::size_t k = 0; k < loads.size(); ++k)
+      loads[k].load = placed_loads_->find(static_cast<int>(k)).load;
+    return loads;
   }
 
   template <class Asked>

@@ -20,6 +20,9 @@ class PlanarModel {
  public:
   /// Makes the system in the context. Both must outlive it.
   PlanarModel(const Scenario& scenario, SystemContext<Plane>& context);
+  /// Makes the part of a copy of a model, whose system is not made here.
+  PlanarModel(const Scenario& scenario, SystemContext<Plane>& context, const PlanarModel&)
+      : scenario_(scenario), context_(context) {}
 
   std::vector<SubsystemNames> names() const { return name_subsystems(scenario_.rotor); }
   /// Returns null, since joints of the plane do not move.

@@ -55,6 +55,12 @@ class SimulatedModel {
   /// Allocates the table with so many records, and places loads and sensors. Must be called once,
   /// before all else.
   virtual void allocate(int records) = 0;
+  /// Makes a copy of the model at the end of step `steps`, at which it stands, allocated with so
+  /// many records: motions, loads, wind and sensors are those in force, constants are shared, see
+  /// begin_copy(). `scenario` must outlive the copy. Throws InputError if the memory of this
+  /// machine does not suffice.
+  virtual std::unique_ptr<SimulatedModel> copy(const Scenario& scenario, int records,
+                                               std::int64_t steps) = 0;
   /// Shares the subsystems out, see spoke::share_out().
   virtual void share_out(Exchange& exchange) = 0;
   /// Returns the weights by which share_out() shares.

@@ -97,15 +97,19 @@ void SimulationCore::begin() {
   complete_step(0, {});
 }
 
+RunnerOptions SimulationCore::runner_options() const {
+  return {options.make_executor ? ExecutorKind::serial : options.executor,
+          options.threads,
+          options.window,
+          planned_steps,
+          options.make_executor,
+          is_shared()};
+}
+
 void SimulationCore::prepare(const Loads& loads) {
   const Integrator integrator{make_method(scenario.integration, step_size), make_limits(scenario)};
   model = make_model(scenario, options.formulation, integrator, loads);
-  const RunnerOptions how{options.make_executor ? ExecutorKind::serial : options.executor,
-                          options.threads,
-                          options.window,
-                          planned_steps,
-                          options.make_executor,
-                          is_shared()};
+  const RunnerOptions how = runner_options();
   if (is_shared()) require_shareable(loads);
   model->allocate(window_records(how, model->ring_bytes()));
   if (is_shared()) model->share_out(*options.exchange);
@@ -217,6 +221,7 @@ void SimulationCore::evaluate() {
 }
 
 void SimulationCore::evaluate_again() {
+  const Calling calling(*this);
   const StepOutcome outcome = runner->evaluate(false);
   if (outcome != StepOutcome::done) throw_failure(outcome, runner->steps());
   evaluated_step = runner->steps();
@@ -226,6 +231,7 @@ void SimulationCore::evaluate_again() {
 void SimulationCore::renew() {
   values();
   evaluated_step = -1;
+  const Calling calling(*this);
   const StepOutcome outcome = runner->evaluate(true);
   if (outcome != StepOutcome::done) throw_failure(outcome, runner->steps());
 }
@@ -330,6 +336,7 @@ bool SimulationCore::stops_on_growth() const {
 
 template <class Advance>
 void SimulationCore::require_done(const Advance& advance) {
+  const Calling calling(*this);
   try {
     const StepOutcome outcome = advance();
     if (outcome != StepOutcome::done) throw_failure(outcome, runner->steps() + 1);

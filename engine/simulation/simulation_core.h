@@ -31,6 +31,9 @@ class SimulationCore {
  public:
   SimulationCore(const Scenario& asked, const SimulationOptions& chosen, const Loads& loads);
 
+  /// Returns a copy that goes on by itself, see Simulation::clone(). Throws StateError, InputError.
+  std::unique_ptr<SimulationCore> clone();
+
   // Each throws DivergenceError or LoadError if a step fails.
   void step();
   void run_to(std::int64_t target, const StepObserver& observe);
@@ -115,6 +118,24 @@ class SimulationCore {
   std::int64_t evaluated_step = -1;
 
  private:
+  /// Marks a simulation as calling what may call back, as long as it lives.
+  class Calling {
+   public:
+    explicit Calling(SimulationCore& core) : core_(core), before_(core.is_calling_) {
+      core_.is_calling_ = true;
+    }
+    ~Calling() { core_.is_calling_ = before_; }
+    Calling(const Calling&) = delete;
+    Calling& operator=(const Calling&) = delete;
+
+   private:
+    SimulationCore& core_;
+    bool before_;
+  };
+
+  /// Makes the copy of clone().
+  explicit SimulationCore(SimulationCore& original);
+  RunnerOptions runner_options() const;
   void prepare(const Loads& loads);
   void begin();
   void put(std::span<const double> values, std::int64_t steps);
@@ -139,6 +160,7 @@ class SimulationCore {
   [[noreturn]] void throw_failure(StepOutcome outcome, std::int64_t step);
 
   std::shared_ptr<const std::string> identity_;  ///< of the model; null until first needed
+  bool is_calling_ = false;                      ///< whether an observer or a load may be called
 };
 
 /// Whether a simulation can begin_again() with a scenario that differs from this one only in values

@@ -37,14 +37,14 @@ void require_azimuth_motion(const SystemContext<Space>& context) {
 SpatialModel::SpatialModel(const Scenario& scenario, SystemContext<Space>& context)
     : scenario_(scenario),
       context_(context),
-      trees_(build_trees(*scenario.space)),
-      joints_(trees_, context) {
-  context.system = make_system(*scenario.space, trees_, {{}, available_memory()});
+      trees_(std::make_shared<const std::vector<spatial::Tree>>(build_trees(*scenario.space))),
+      joints_(*trees_, context) {
+  context.system = make_system(*scenario.space, *trees_, {{}, available_memory()});
   require_azimuth_motion(context);
 }
 
 std::size_t SpatialModel::count_readings(const std::vector<Sensor>& asked) const {
-  std::size_t values = spoke::count_readings(asked, scenario_.space->blades.size(), trees_);
+  std::size_t values = spoke::count_readings(asked, scenario_.space->blades.size(), *trees_);
   for (const Subsystem<Space>& subsystem : context_.system.subsystems)
     values += static_cast<std::size_t>(count_own_values(subsystem));
   return values;
@@ -60,14 +60,14 @@ std::vector<SensorColumn> SpatialModel::place_sensors(const std::vector<Sensor>&
     subsystems[i].reading_count =
         static_cast<std::size_t>(count_own_values(context_.system.subsystems[i]));
   std::vector<SensorColumn> columns = spoke::place_sensors(asked, scenario_.space->blades.size(),
-                                                           trees_, context_.system, context_.data);
+                                                           *trees_, context_.system, context_.data);
   make_reading_rings(context_.data);
   return columns;
 }
 
 SpatialSensors SpatialModel::make_sensors(std::vector<SensorColumn> asked,
                                           std::vector<SensorColumn> momentum) const {
-  return {context_.system, trees_, std::move(asked), std::move(momentum)};
+  return {context_.system, *trees_, std::move(asked), std::move(momentum)};
 }
 
 void SpatialModel::start(SpatialSensors& sensors) {

@@ -2,6 +2,7 @@
 
 // The part of a model on the table that is of space, see ModelOn.
 
+#include <memory>
 #include <vector>
 
 #include "engine/columns/spatial_columns.h"
@@ -22,8 +23,15 @@ class SpatialModel {
   /// Makes the system in the context. Both must outlive it. Throws InputError if the method of
   /// integration cannot follow the motions of its joints.
   SpatialModel(const Scenario& scenario, SystemContext<Space>& context);
+  /// Makes the part of a copy of `original`, whose system is not made here.
+  SpatialModel(const Scenario& scenario, SystemContext<Space>& context,
+               const SpatialModel& original)
+      : scenario_(scenario),
+        context_(context),
+        trees_(original.trees_),
+        joints_(*trees_, context) {}
 
-  std::vector<SubsystemNames> names() const { return name_subsystems(trees_); }
+  std::vector<SubsystemNames> names() const { return name_subsystems(*trees_); }
   SpatialJoints* joints() { return &joints_; }
 
   /// Returns the number of values that the subsystems keep of a step for these sensors and for
@@ -50,7 +58,7 @@ class SpatialModel {
  private:
   const Scenario& scenario_;
   SystemContext<Space>& context_;
-  std::vector<spatial::Tree> trees_;
+  std::shared_ptr<const std::vector<spatial::Tree>> trees_;  ///< copies have the same
   SpatialJoints joints_;
 };
 

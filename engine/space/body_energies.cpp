@@ -2,7 +2,6 @@
 
 #include "engine/space/body_energies.h"
 
-#include <algorithm>
 #include <cassert>
 
 #include "engine/space/bodies/beam/body_slots.h"
@@ -61,11 +60,10 @@ BodyEnergies calc_body_energies(const BodyModel& model, const BodyState& state, 
   if (body.is_nonlinear())
     energies.kinetic -= 0.5 * w.dot(calc_turned_inertia(body, q).lazyProduct(w));
   if (!model.tension) return energies;
-  std::fill_n(scratch->force, kTwist * body.node_count(), 0.0);
-  const StiffeningSums stiffening = add_stiffening(model, motion, q, v, scratch->force);
-  const HubStiffening hub = calc_hub_stiffening(*model.tension, motion.gravity, stiffening);
-  energies.kinetic -= 0.5 * motion.hub_w.dot(hub.inertia.lazyProduct(motion.hub_w));
-  energies.tension = motion.gravity.dot(calc_tension_moment(*model.tension, stiffening.value));
+  const StiffeningForms stiffening = calc_stiffening_forms(model, q);
+  const Matrix3 inertia = calc_hub_inertia(*model.tension, stiffening);
+  energies.kinetic -= 0.5 * motion.hub_w.dot(inertia.lazyProduct(motion.hub_w));
+  energies.tension = motion.gravity.dot(calc_tension_moment(*model.tension, stiffening));
   return energies;
 }
 

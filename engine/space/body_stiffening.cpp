@@ -13,23 +13,28 @@
 namespace spoke::space {
 namespace {
 
+/// What the sums over the elements are for. Energies need the forms q^T K q alone.
+enum class Wanted { energies, forces };
+
 /// Sums of q^T K q and q^T K q' of one tension matrix, in two parts that are added at the end.
 struct TensionSums {
   Double2 value{}, rate{};
 };
 
 /// Adds factor K q of one tension matrix K to f, and its forms to the sums.
+template <Wanted kWanted>
 void add_tension(const ElementStiffening& matrices, int k, double factor, const PlaneCoordinates& q,
                  const PlaneCoordinates& v, PlaneCoordinates& f, TensionSums& sums) {
   const PlaneCoordinates product =
       multiply_planes(matrices.bending[static_cast<std::size_t>(k)], q);
-  f.rise += factor * product.rise;
-  for (int node = 0; node < 2; ++node) f.slope[node] += factor * product.slope[node];
   const double turn = q.torsion[1] - q.torsion[0];
   const double trapeze = matrices.torsion[static_cast<std::size_t>(k)] * turn;
+  sums.value += sum_products(product, q) + Double2{trapeze * turn, 0.0};
+  if constexpr (kWanted == Wanted::energies) return;
+  f.rise += factor * product.rise;
+  for (int node = 0; node < 2; ++node) f.slope[node] += factor * product.slope[node];
   f.torsion[0] -= factor * trapeze;
   f.torsion[1] += factor * trapeze;
-  sums.value += sum_products(product, q) + Double2{trapeze * turn, 0.0};
   sums.rate += sum_products(product, v) + Double2{trapeze * (v.torsion[1] - v.torsion[0]), 0.0};
 }
 
@@ -77,12 +82,20 @@ void add_propellers(const BeamElement& element, bool is_symmetric, const Positio
   add_tensor<kIsStraight>(element, {p22.rate, p23.rate, p33.rate}, sums.rate.propeller);
 }
 
+using Coordinates = Eigen::Matrix<double, 2 * kTwist, 1>;
+
+/// Adds the form of a small mass.
+[[gnu::always_inline]] inline void add_inertia_form(const PointInertia& point, const double* q,
+                                                    StiffeningSums& sums) {
+  const Position th = point.rotation.lazyProduct(Eigen::Map<const Coordinates>(q));
+  sums.value.inertias += turning_inertia(point.second, th, th);
+}
+
 /// Adds small masses, to second order in the rotation th of their section: T gets
 /// - 1/2 th^T [tr(P W0) 1 - 1/2 (W0 P + P W0)] th.
 [[gnu::always_inline]] inline void add_inertias(const BeamElement& element, const Position& w,
                                                 const double* q, const double* v, double* force,
                                                 StiffeningSums& sums) {
-  using Coordinates = Eigen::Matrix<double, 2 * kTwist, 1>;
   for (const PointInertia& point : element.inertias) {
     const Matrix3& P = point.second;
     const Position th = point.rotation.lazyProduct(Eigen::Map<const Coordinates>(q));
@@ -108,9 +121,11 @@ void take_carried(const CarriedMass& carried, TensionSums& K1, StiffeningSums& s
   K1 = {};
 }
 
-template <bool kIsStraight>
+/// Where energies are wanted, motion, v and force do not matter, and the sums of rates are not set.
+template <bool kIsStraight, Wanted kWanted>
 StiffeningSums add_all(const BodyModel& model, const BodyMotion& motion, const double* q,
                        const double* v, double* force) {
+  constexpr bool kHasForces = kWanted == Wanted::forces;
   const FlexibleBody& body = *model.body;
   TensionWeights weights = calc_tension_weights(*model.tension, motion);
   StiffeningSums sums;
@@ -124,17 +139,22 @@ StiffeningSums add_all(const BodyModel& model, const BodyMotion& motion, const d
     }
     const BeamElement& element = body.beam[static_cast<std::size_t>(e)];
     const PlaneCoordinates x = in_element_axes<kIsStraight>(element, q);
-    const PlaneCoordinates rate = in_element_axes<kIsStraight>(element, v);
+    PlaneCoordinates rate{};
+    if constexpr (kHasForces) rate = in_element_axes<kIsStraight>(element, v);
     PlaneCoordinates f{};
     for (int k = 0; k < ElementStiffening::kWeights; ++k)
-      add_tension(element.stiffening, k, weights.tension[static_cast<std::size_t>(k)], x, rate, f,
-                  tension[k]);
+      add_tension<kWanted>(element.stiffening, k, weights.tension[static_cast<std::size_t>(k)], x,
+                           rate, f, tension[k]);
     add_propellers<kIsStraight>(element, body.is_decoupled, weights.w, x, rate, f, sums);
-    subtract_forces<kIsStraight>(element, f, force);
-    add_inertias(element, weights.w, q, v, force, sums);
+    if constexpr (kHasForces) {
+      subtract_forces<kIsStraight>(element, f, force);
+      add_inertias(element, weights.w, q, v, force, sums);
+      v += kTwist;
+      force += kTwist;
+    } else {
+      for (const PointInertia& point : element.inertias) add_inertia_form(point, q, sums);
+    }
     q += kTwist;
-    v += kTwist;
-    force += kTwist;
   }
   take_carried(*carried, tension[0], sums);
   sums.value.tension.KL = total(tension[1].value);
@@ -159,8 +179,18 @@ StiffeningSums add_stiffening(const BodyModel& model, const BodyMotion& motion, 
   assert(model.tension && !model.tension->carried.empty());
   assert(model.tension->carried.back().end >= model.body->elements);
   return run_large_kernel([&]() noexcept {
-    return model.body->is_straight ? add_all<true>(model, motion, q, v, force)
-                                   : add_all<false>(model, motion, q, v, force);
+    return model.body->is_straight ? add_all<true, Wanted::forces>(model, motion, q, v, force)
+                                   : add_all<false, Wanted::forces>(model, motion, q, v, force);
+  });
+}
+
+StiffeningForms calc_stiffening_forms(const BodyModel& model, const double* q) noexcept {
+  assert(model.tension && !model.tension->carried.empty());
+  const BodyMotion none{Angular::Zero(), Angular::Zero(), Position::Zero()};
+  return run_large_kernel([&]() noexcept {
+    return model.body->is_straight
+               ? add_all<true, Wanted::energies>(model, none, q, nullptr, nullptr).value
+               : add_all<false, Wanted::energies>(model, none, q, nullptr, nullptr).value;
   });
 }
 
@@ -211,6 +241,10 @@ Matrix3 turn(const Rotation& R, const Matrix3& tensor) {
 Position calc_tension_moment(const TensionPlace& place, const StiffeningForms& forms) noexcept {
   const double form = forms.tension.carried_mass + forms.tension.KL;
   return 0.5 * form * place.R_HB.axes.col(0);
+}
+
+Matrix3 calc_hub_inertia(const TensionPlace& place, const StiffeningForms& forms) noexcept {
+  return run_large_kernel([&]() noexcept { return turn(place.R_HB, calc_inertia(place, forms)); });
 }
 
 HubStiffening calc_hub_stiffening(const TensionPlace& place, const Position& gravity,

@@ -41,11 +41,16 @@ Matrix3 turning_inertia(const Matrix3& P, const Position& a, const Position& b) 
 StiffeningSums add_stiffening(const BodyModel& model, const BodyMotion& motion, const double* q,
                               const double* v, double* force) noexcept;
 
+/// Returns the forms q^T K q alone, to the bits of add_stiffening(); what energies need.
+StiffeningForms calc_stiffening_forms(const BodyModel& model, const double* q) noexcept;
+
 /// Returns int (v' V' + w' W') ds of the slopes of two flex vectors against the elements' axes [m],
 /// up to xi, 0 to 1, of an element. Both by node.
 double sum_slope_products(const FlexibleBody& body, const double* q, const double* p, int element,
                           double xi) noexcept;
 
+/// Returns Lambda alone, in H.
+Matrix3 calc_hub_inertia(const TensionPlace& place, const StiffeningForms& forms) noexcept;
 /// Returns Lambda, Lambda' and g x gamma; `gravity`: in H [m/s^2].
 HubStiffening calc_hub_stiffening(const TensionPlace& place, const Position& gravity,
                                   const StiffeningSums& sums) noexcept;

@@ -85,16 +85,26 @@ Angular calc_logarithm(const Matrix3& R) {
   return sum * v;
 }
 
+/// Subtracts from d what the forms take off it. `set_row(i, forms[i] d0)` gets each product.
+template <class SetRow>
+[[gnu::always_inline]] inline void subtract_forms(const ElementSecondOrder::Forms& forms,
+                                                  const Twist& d0, int first, Twist& d,
+                                                  const SetRow& set_row) {
+  for (int i = 0; i < 3; ++i) {
+    const Twist row = multiply(forms[static_cast<std::size_t>(i)], d0);
+    d[first + i] -= 0.5 * row.dot(d0);
+    set_row(i, row);
+  }
+}
+
 /// Sets the rows of dd/dd0, -forms d0 but for the identity, as columns, and subtracts what they
 /// take off d.
 void set_rows(const ElementSecondOrder::Forms& forms, const Twist& d0, int first, TwistMatrix& T_t,
               Twist& d) {
-  for (int i = 0; i < 3; ++i) {
-    const Twist row = multiply(forms[static_cast<std::size_t>(i)], d0);
-    d[first + i] -= 0.5 * row.dot(d0);
+  subtract_forms(forms, d0, first, d, [&](int i, const Twist& row) {
     T_t.col(first + i) = -row;
     T_t(first + i, first + i) += 1.0;
-  }
+  });
 }
 
 /// 1 + a theta~ + b theta~^2.
@@ -116,6 +126,25 @@ NodeTurn calc_node_turn(const Angular& theta) noexcept {
   turn.Q = calc_polynomial(k.s, k.c, theta);
   turn.H = calc_polynomial(k.c, k.d, theta);
   return turn;
+}
+
+Matrix3 calc_node_rotation(const Angular& theta) noexcept {
+  const RotationCoefficients k = calc_rotation_coefficients(theta.squaredNorm());
+  return calc_polynomial(k.s, k.c, theta);
+}
+
+Twist calc_element_strain(const BeamElement& element, const ElementSecondOrder& second,
+                          const Matrix3& inner, const Matrix3& outer, const double* q) noexcept {
+  return run_large_kernel([&] {
+    const Position y = inner.transpose().lazyProduct(element.chord + Node(q + kTwist) - Node(q));
+    const Angular dh = calc_logarithm(inner.transpose().lazyProduct(outer));
+    const Twist d0 = make_twist(y - element.chord, dh);
+    Twist d = d0;
+    const auto leave = [](int, const Twist&) {};
+    subtract_forms(second.place, d0, 0, d, leave);
+    subtract_forms(second.rotation, d0, kRotation, d, leave);
+    return d;
+  });
 }
 
 ElementStrain::ElementStrain(const BeamElement& element, const ElementSecondOrder& second,

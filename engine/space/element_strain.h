@@ -21,11 +21,18 @@ struct NodeTurn {
   RotationCoefficients coefficients{};
 };
 NodeTurn calc_node_turn(const Angular& theta) noexcept;
+/// Returns Q alone, to the bits of calc_node_turn().
+Matrix3 calc_node_rotation(const Angular& theta) noexcept;
 
 /// Coordinates of the two nodes of an element, and their derivatives.
 inline constexpr int kBothNodes = 2 * kTwist;
 using StrainMap = Eigen::Matrix<double, kTwist, kBothNodes>;
 using NodesMatrix = Eigen::Matrix<double, kBothNodes, kBothNodes>;
+
+/// Returns d alone at the coordinates q of both nodes, which are turned by the rotations `inner`
+/// and `outer`, to the bits of ElementStrain::d() [m, rad].
+Twist calc_element_strain(const BeamElement& element, const ElementSecondOrder& second,
+                          const Matrix3& inner, const Matrix3& outer, const double* q) noexcept;
 
 class ElementStrain {
  public:

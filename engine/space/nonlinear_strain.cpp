@@ -82,6 +82,26 @@ void visit_strains(const FlexibleBody& body, const double* q, Visit&& visit) {
 
 void add_along(const Position& axis, double shift, Twist& d) { linear(d) += shift * axis; }
 
+/// Calls `visit(e, d)` for the strains of all elements, from the inboard end, without what forces
+/// need of them.
+template <class Visit>
+void visit_shifted_strains(const FlexibleBody& body, const double* q, double* scratch,
+                           Visit&& visit) {
+  ElementValues values(body, scratch);
+  set_slope_moments(body, {q, nullptr}, values);
+  Matrix3 turns[2];
+  turns[0] = calc_node_rotation(Eigen::Map<const Angular>(q + kRotation));
+  for (int e = 0; e < body.elements; ++e) {
+    const auto at = static_cast<std::size_t>(e);
+    const double* nodes = q + kTwist * e;
+    turns[1 - e % 2] = calc_node_rotation(Eigen::Map<const Angular>(nodes + kTwist + kRotation));
+    Twist d = calc_element_strain(body.beam[at], body.second_order[at], turns[e % 2],
+                                  turns[1 - e % 2], nodes);
+    add_along(Position(body.beam[at].axes.col(0)), calc_shift(body, e, values.h), d);
+    visit(e, d);
+  }
+}
+
 /// A flex vector by node at an element and its neighbours.
 class NodesAround {
  public:
@@ -307,23 +327,15 @@ Twist calc_strain_rate(const FlexibleBody& body, int e, const double* q, const d
 void calc_strain_wrenches(const FlexibleBody& body, const double* q, double* scratch,
                           Twist* wrenches) noexcept {
   assert(body.is_nonlinear());
-  ElementValues values(body, scratch);
-  set_slope_moments(body, {q, nullptr}, values);
-  visit_strains(body, q, [&](int e, const ElementStrain& strain, const Position& axis) {
-    Twist d = strain.d();
-    add_along(axis, calc_shift(body, e, values.h), d);
+  visit_shifted_strains(body, q, scratch, [&](int e, const Twist& d) {
     wrenches[e] = body.beam[static_cast<std::size_t>(e)].stiffness.lazyProduct(d);
   });
 }
 
 double calc_nonlinear_energy(const FlexibleBody& body, const double* q, double* scratch) noexcept {
   assert(body.is_nonlinear());
-  ElementValues values(body, scratch);
-  set_slope_moments(body, {q, nullptr}, values);
   double sum = 0.0;
-  visit_strains(body, q, [&](int e, const ElementStrain& strain, const Position& axis) {
-    Twist d = strain.d();
-    add_along(axis, calc_shift(body, e, values.h), d);
+  visit_shifted_strains(body, q, scratch, [&](int e, const Twist& d) {
     sum += 0.5 * d.dot(body.beam[static_cast<std::size_t>(e)].stiffness.lazyProduct(d));
   });
   return sum;

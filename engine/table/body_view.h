@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/load.h"
 #include "engine/table/step_data.h"
 
 namespace spoke {

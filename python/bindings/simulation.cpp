@@ -55,6 +55,12 @@ std::shared_ptr<UsedSimulation> make_simulation(const Scenario& scenario,
   return std::make_shared<UsedSimulation>(blown, options, all);
 }
 
+std::shared_ptr<UsedSimulation> clone(UsedSimulation& original) {
+  const Use use(original);
+  const py::gil_scoped_release unlocked;
+  return std::make_shared<UsedSimulation>(original.clone());
+}
+
 void go_back(UsedSimulation& simulation, const SavedState& state, const Courses* courses) {
   const Use use(simulation);
   const py::gil_scoped_release unlocked;
@@ -213,6 +219,7 @@ void bind_simulation(py::module_& module) {
   Class simulation(module, "Simulation");
   simulation.def(py::init(&make_simulation), "scenario"_a, "formulation"_a, "executor"_a,
                  "threads"_a, "window"_a, "loads"_a, "wind"_a);
+  simulation.def(py::init(&clone), "original"_a);
   bind_progress(simulation);
   bind_steps(simulation);
   bind_anchors(simulation);

@@ -17,6 +17,7 @@ namespace spoke::python {
 class UsedSimulation : public Simulation {
  public:
   using Simulation::Simulation;
+  explicit UsedSimulation(Simulation&& made) : Simulation(std::move(made)) {}
 
  private:
   friend class Use;

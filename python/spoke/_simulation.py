@@ -55,6 +55,18 @@ class Simulation(_Simulation):
         super().__init__(read_scenario(scenario, set), formulation, executor, _as_pair(threads),
                          window, list(loads), wind)
 
+    def clone(self):
+        """A simulation at the same state, which goes on by itself to the bits that this one would.
+
+        The drive, motions, factors and wind are those in force. Takes the copying of the state: the
+        scenario is not read again, and all that is constant is shared. Both may be stepped at once,
+        in two threads; loads and a wind in Python are shared, and called by both. Raises StateError
+        after a step that failed, or while the simulation is in use.
+        """
+        clone = type(self).__new__(type(self))
+        _Simulation.__init__(clone, self)
+        return clone
+
     def run(self, until=math.inf, every=None, report=True, statistics_from=None):
         """Steps to time `until` [s], by default to the scenario's end, and returns a Result.
 

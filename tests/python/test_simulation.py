@@ -219,6 +219,37 @@ def test_a_saved_state_goes_on_with_the_bits_of_the_run(rotor, tmp_path):
         assert other.state_hash == end
 
 
+def test_a_clone_goes_on_with_the_bits_of_the_run(rotor):
+    rotor.run(until=0.2)
+    fork, other = rotor.clone(), rotor.clone().clone()
+    assert type(fork) is spoke.Simulation and fork.state_hash == rotor.state_hash
+    assert (fork.sensors == rotor.sensors).all()
+    rows = rotor.run(every=0)
+    assert (fork.run(every=0).numbers == rows.numbers).all()
+    del rotor
+    other.run()
+    assert other.state_hash == fork.state_hash
+
+
+def test_loads_in_python_act_on_clones_too():
+    told = []
+
+    def push(t, motions):
+        told.append(t)
+        return [((0.0, 2.0, 0.0), (0.0, 0.0, 0.0))]
+
+    marker, = spoke.markers_at(spoke.read_scenario(ROTOR), 0, [8.0])
+    sim = spoke.Simulation(ROTOR, set=SHORT, executor="serial",
+                           loads=[spoke.Load("push", [marker], push)])
+    sim.run(until=0.1)
+    fork = sim.clone()
+    count = len(told)
+    fork.run()
+    assert len(told) > count
+    sim.run()
+    assert fork.state_hash == sim.state_hash
+
+
 def test_a_checkpoint_of_the_program_is_restored(program, rotor):
     folder = program("run", ROTOR, "--quiet", "--set", "integration.duration=0.3",
                      "--checkpoint-every", 1000)

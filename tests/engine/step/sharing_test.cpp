@@ -371,6 +371,10 @@ TEST_CASE("what processes cannot share is refused") {
   CHECK_THROWS_WITH_AS(simulation.trace(1),
                        "a trace: several processes simulate the model together, expected one",
                        InputError);
+  CHECK_THROWS_WITH_AS(simulation.clone(),
+                       "2 processes simulate the model together: it cannot be cloned, expected one "
+                       "process",
+                       InputError);
 }
 
 TEST_CASE("nodes of a shared model keep to what they declare") {

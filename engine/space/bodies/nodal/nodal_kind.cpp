@@ -28,9 +28,8 @@ void NodalKind::make_tension(const ElasticShares& implicit, FormulationWork<Spac
   const auto& place = body.model->stiffening;
   const space::SolidTension* tension = body.solid_tension && place ? place->solid.get() : nullptr;
   const space::SolidConstants& constants = *solid.constants;
-  const auto [at, is_new] = work.tiles.try_emplace({&constants, tension});
-  if (is_new) at->second = space::make_nodal_tiles(constants, tension);
-  body.tiles = &at->second;
+  body.tiles = &find_or_add(work.constants->tiles, {&constants, tension},
+                            [&] { return space::make_nodal_tiles(constants, tension); });
   work.nodal_memory.push_back(std::make_unique<space::NodalMemory>());
   space::place_nodal_work(solid, *body.tiles, solid_block_of(body, false),
                           solid_block_of(body, true), *work.nodal_memory.back(), body.work);

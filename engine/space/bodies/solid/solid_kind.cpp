@@ -39,12 +39,8 @@ void SolidKind::make_tension(const ElasticShares&, FormulationWork<Space>& work,
   const space::SolidTension* in_tree = place ? place->solid.get() : nullptr;
   const void* key = &constants;
   if (in_tree) key = in_tree;
-  const auto at = work.solid_tensions.find(key);
-  body.solid_tension =
-      at != work.solid_tensions.end()
-          ? &at->second
-          : &work.solid_tensions.emplace(key, make_tension_columns(constants, in_tree))
-                 .first->second;
+  body.solid_tension = &find_or_add(work.constants->solid_tensions, key,
+                                    [&] { return make_tension_columns(constants, in_tree); });
 }
 
 PlacedLoad<Space, BodyLoad<Space>> SolidKind::place_load(const BodyLoad<Space>& load,

@@ -1,0 +1,73 @@
+// Copies the system with the courses of its loads, and the memory of the state.
+
+#include "engine/step/copy_context.h"
+
+#include <algorithm>
+#include <cassert>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "engine/table/state_values.h"
+
+namespace spoke {
+namespace {
+
+/// Gives loads courses of their own, which the program may scale. Those of one load stay one.
+template <class World>
+void part_courses(System<World>& system) {
+  std::map<const LoadCourse*, std::shared_ptr<LoadCourse>> own;
+  const auto part = [&own](auto& loads) {
+    for (auto& load : loads) {
+      std::shared_ptr<LoadCourse>& course = own[load.course.get()];
+      if (!course) course = std::make_shared<LoadCourse>(*load.course);
+      load.course = course;
+    }
+  };
+  for (Subsystem<World>& subsystem : system.subsystems)
+    for (TreeBody<World>& body : subsystem.bodies) {
+      part(body.loads);
+      part(body.drags);
+    }
+}
+
+}  // namespace
+
+template <class World>
+void begin_copy(const SystemContext<World>& original, SystemContext<World>& copy) {
+  copy.formulation = original.formulation;
+  copy.integrator = original.integrator;
+  copy.linear_range = original.linear_range;
+  copy.loads_tie_subsystems = original.loads_tie_subsystems;
+  copy.loop_limits = original.loop_limits;
+  copy.loop_limits.has_started = true;
+  copy.system = original.system;
+  copy.data.names = original.data.names;
+  part_courses(copy.system);
+  copy.work.constants = original.work.constants;
+}
+
+template <class World>
+void end_copy(SystemContext<World>& original, std::int64_t steps, SystemContext<World>& copy) {
+  copy.loop_limits = original.loop_limits;
+  copy.loop_start = original.loop_start;
+  for (std::size_t i = 0; i < copy.data.subsystems.size(); ++i)
+    copy.data.subsystems[i].loops.use = original.data.subsystems[i].loops.use;
+  // Besides the values of a saved state it holds the pivots of loops at the start.
+  const Memory from = original.data.state_memory(), to = copy.data.state_memory();
+  assert(from.size() == to.size());
+  for (std::size_t k = 0; k < to.size(); ++k) {
+    assert(from[k].size() == to[k].size());
+    std::copy(from[k].begin(), from[k].end(), to[k].begin());
+  }
+  std::vector<double> values;
+  original.data.take_state(steps, values);
+  copy.data.put_state(values, steps);  // with the record of the step
+}
+
+template void begin_copy(const SystemContext<Plane>&, SystemContext<Plane>&);
+template void begin_copy(const SystemContext<Space>&, SystemContext<Space>&);
+template void end_copy(SystemContext<Plane>&, std::int64_t, SystemContext<Plane>&);
+template void end_copy(SystemContext<Space>&, std::int64_t, SystemContext<Space>&);
+
+}  // namespace spoke
