@@ -6,9 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstdlib>
 #include <limits>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -19,6 +17,7 @@
 #include "engine/space/section.h"
 #include "engine/step/step_graph_builder.h"
 #include "engine/tree/joint_recovery.h"
+#include "tests/engine/counted_allocations.h"
 #include "tests/engine/loop_models.h"
 #include "tests/engine/rotors.h"
 #include "tests/engine/solids/solid_models.h"
@@ -32,38 +31,6 @@ using namespace spoke;
 using namespace spoke::test;
 
 namespace {
-std::atomic<long> allocations{0};
-std::atomic<std::size_t> allocated_bytes{0};
-/// Allocations by operator new of C++. Runtimes of OpenMP allocate their tasks by malloc, some more
-/// or fewer from pass to pass.
-std::atomic<long> allocations_by_new{0};
-}  // namespace
-
-// Eigen and oneTBB allocate by malloc, everything else by operator new, which calls it.
-extern "C" void* __libc_malloc(std::size_t size);
-extern "C" void* malloc(std::size_t size) {
-  allocations.fetch_add(1, std::memory_order_relaxed);
-  allocated_bytes.fetch_add(size, std::memory_order_relaxed);
-  return __libc_malloc(size);
-}
-void* operator new(std::size_t size) {
-  allocations_by_new.fetch_add(1, std::memory_order_relaxed);
-  void* const memory = std::malloc(size);
-  if (memory == nullptr) throw std::bad_alloc();
-  return memory;
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-
-namespace {
-
-long allocations_of_steps(const Scenario& scenario, const SimulationOptions& options, int steps) {
-  Simulation simulation(scenario, options);
-  for (int n = 0; n < 3; ++n) simulation.step();  // runtimes fill their pools
-  const long before = allocations.load();
-  for (int n = 0; n < steps; ++n) simulation.step();
-  return allocations.load() - before;
-}
 
 constexpr int kTracedSteps = 100;
 
