@@ -3,6 +3,7 @@
 // The step graph: nodes, the parts they read and write, and the edges that follow.
 
 #include <compare>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -165,8 +166,8 @@ class SPOKE_EXPORT StepGraphBuilder {
     return add_node(std::move(label), std::move(reads), std::move(writes),
                     std::forward<Body>(body));
   }
-  template <class Body>
-  NodeId add_node(NodeLabel label, Reads reads, Updates updates, Body&& body) {
+  template <std::same_as<Updates> Changes, class Body>  // braces alone mean writes
+  NodeId add_node(NodeLabel label, Reads reads, Changes updates, Body&& body) {
     return add_node(std::move(label), std::move(reads), std::move(updates), Writes{},
                     std::forward<Body>(body));
   }
