@@ -74,7 +74,9 @@ class ModelOn final : public SimulatedModel {
   std::unique_ptr<SimulatedModel> copy(const Scenario& scenario, int records,
                                        std::int64_t steps) override {
     auto made = std::make_unique<ModelOn>(*this, scenario);
-    made->allocate(records);
+    spoke::allocate(*made->context_, records);
+    made->placed_loads_ = &place_loads(made->loads_, made->system(), made->data());
+    copy_readings(*context_, *made->context_);
     made->sensors_.emplace(*sensors_);  // with what they compare with
     end_copy(*context_, steps, *made->context_);
     return made;

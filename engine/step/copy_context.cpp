@@ -1,4 +1,4 @@
-// Copies the system with the courses of its loads, and the memory of the state.
+// Copies the system with the courses of its loads, readings, and the memory of the state.
 
 #include "engine/step/copy_context.h"
 
@@ -13,10 +13,12 @@
 namespace spoke {
 namespace {
 
+using CourseCopies = std::map<const LoadCourse*, std::shared_ptr<LoadCourse>>;
+
 /// Gives loads courses of their own, which the program may scale. Those of one load stay one.
 template <class World>
 void part_courses(System<World>& system) {
-  std::map<const LoadCourse*, std::shared_ptr<LoadCourse>> own;
+  CourseCopies own;
   const auto part = [&own](auto& loads) {
     for (auto& load : loads) {
       std::shared_ptr<LoadCourse>& course = own[load.course.get()];
@@ -31,7 +33,34 @@ void part_courses(System<World>& system) {
     }
 }
 
+/// Lets the readings of a copy follow its own courses of loads.
+void follow_courses(const SystemContext<Plane>&, SystemContext<Plane>&) {}
+void follow_courses(const SystemContext<Space>& original, SystemContext<Space>& copy) {
+  CourseCopies own;
+  for (std::size_t i = 0; i < copy.system.subsystems.size(); ++i)
+    for (std::size_t j = 0; j < copy.system.subsystems[i].bodies.size(); ++j) {
+      const std::vector<BodyLoad<Space>>& loads = copy.system.subsystems[i].bodies[j].loads;
+      for (std::size_t k = 0; k < loads.size(); ++k)
+        own[original.system.subsystems[i].bodies[j].loads[k].course.get()] = loads[k].course;
+    }
+  for (SubsystemData<Space>& subsystem : copy.data.subsystems)
+    for (Reading<Space>& reading : subsystem.readings)
+      for (OutboardLoad& outboard : reading.loads)
+        outboard.load.course = own.at(outboard.load.course.get());
+}
+
 }  // namespace
+
+template <class World>
+void copy_readings(const SystemContext<World>& original, SystemContext<World>& copy) {
+  for (std::size_t i = 0; i < copy.data.subsystems.size(); ++i) {
+    SubsystemData<World>& data = copy.data.subsystems[i];
+    data.readings = original.data.subsystems[i].readings;
+    data.reading_count = original.data.subsystems[i].reading_count;
+    place_reading_ring(data);
+  }
+  follow_courses(original, copy);
+}
 
 template <class World>
 void begin_copy(const SystemContext<World>& original, SystemContext<World>& copy) {
@@ -67,6 +96,8 @@ void end_copy(SystemContext<World>& original, std::int64_t steps, SystemContext<
 
 template void begin_copy(const SystemContext<Plane>&, SystemContext<Plane>&);
 template void begin_copy(const SystemContext<Space>&, SystemContext<Space>&);
+template void copy_readings(const SystemContext<Plane>&, SystemContext<Plane>&);
+template void copy_readings(const SystemContext<Space>&, SystemContext<Space>&);
 template void end_copy(SystemContext<Plane>&, std::int64_t, SystemContext<Plane>&);
 template void end_copy(SystemContext<Space>&, std::int64_t, SystemContext<Space>&);
 

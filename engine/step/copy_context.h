@@ -14,9 +14,14 @@ namespace spoke {
 template <class World>
 void begin_copy(const SystemContext<World>& original, SystemContext<World>& copy);
 
+/// Gives an allocated copy the readings of the scenario's sensors, whose constants are shared, and
+/// rings for them.
+template <class World>
+void copy_readings(const SystemContext<World>& original, SystemContext<World>& copy);
+
 /// Ends a copy that is allocated with as many records: puts the loops and the state at the end of
-/// step `steps`, at which `original` stands, into its table. Readings and samples are left as they
-/// are.
+/// step `steps`, at which `original` stands, into its table. Values of readings and samples are
+/// left as they are.
 template <class World>
 void end_copy(SystemContext<World>& original, std::int64_t steps, SystemContext<World>& copy);
 

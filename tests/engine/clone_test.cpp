@@ -19,6 +19,7 @@
 #include "engine/simulation.h"
 #include "models/error.h"
 #include "tests/engine/load_rotors.h"
+#include "tests/engine/space/system/models.h"
 #include "tests/message_of.h"
 
 using namespace spoke;
@@ -165,8 +166,28 @@ TEST_CASE("a clone has the loads of the user's in force, the replaced ones too")
   }
 }
 
-TEST_CASE("what is set on a clone does not reach the original") {
-  const std::string text = R"(
+namespace {
+
+/// Two blades that loads by one name push, and a section that feels them.
+std::string end_of_pushed(const std::string& force, const std::string& torque) {
+  return "[[load]]\nname = \"push\"\nforce = " + force +
+         "\n[[hub_load]]\nname = \"push\"\ntorque = " + torque + R"(
+[[sensor]]
+quantity = "section_force"
+name = "inside"
+position = 0.7
+[integration]
+step = 0.005
+duration = 0.5
+)";
+}
+
+Scenario make_pushed(bool in_space) {
+  if (in_space)
+    return parse_scenario("world = \"space\"\n" + kTurnedHub + kBooms +
+                              end_of_pushed("[0.0, 1.0, 2.0]", "[0.0, 0.0, 1.0]"),
+                          "pushed");
+  return parse_scenario(R"(
 [hub]
 inertia = 5.0
 drive = { kind = "torque", torque = 2.0, initial_speed = 1.0 }
@@ -179,30 +200,35 @@ density = 2700.0
 area = 1e-4
 second_moment = 1e-8
 youngs_modulus = 7e10
-[[load]]
-name = "push"
-force = [0.0, 3.0]
-[[hub_load]]
-name = "push"
-torque = 1.5
-[integration]
-step = 0.005
-duration = 0.5
-)";
-  const Scenario scenario = parse_scenario(text, "pushed");
-  Simulation original(scenario, kOneThread), alone(scenario, kOneThread);
-  advance_by(10, original);
-  advance_by(10, alone);
-  set_load_factor(original, "push", 2.0);
-  set_load_factor(alone, "push", 2.0);
-  Simulation clone = original.clone(), same = original.clone();
-  CHECK(courses(clone).loads[0].factor == 2.0);
-  set_load_factor(clone, "push", -3.0);
-  clone.set_drive(TorqueDrive{Curve(-4.0), 1.0});
-  const Rest expected = go_on(alone);
-  CHECK(go_on(clone).hash != expected.hash);
-  CHECK(go_on(original) == expected);
-  CHECK(go_on(same) == expected);
+)" + end_of_pushed("[0.0, 3.0]", "1.5"),
+                        "pushed");
+}
+
+}  // namespace
+
+TEST_CASE("what is set on a clone does not reach the original") {
+  for (const bool in_space : {false, true}) {
+    CAPTURE(in_space);
+    const Scenario scenario = make_pushed(in_space);
+    Simulation original(scenario, kOneThread), alone(scenario, kOneThread);
+    for (Simulation* simulation : {&original, &alone}) {
+      advance_by(10, *simulation);
+      set_load_factor(*simulation, "push", 2.0);
+    }
+    Simulation clone = original.clone(), same = original.clone(), scaled = original.clone();
+    CHECK(courses(clone).loads[0].factor == 2.0);
+    set_load_factor(clone, "push", -3.0);
+    set_load_factor(scaled, "push", -3.0);
+    clone.set_drive(TorqueDrive{Curve(-4.0), 1.0});
+    const Rest expected = go_on(alone);
+    CHECK(go_on(clone).hash != expected.hash);
+    CHECK(go_on(original) == expected);
+    CHECK(go_on(same) == expected);
+    Simulation other(scenario, kOneThread);
+    advance_by(10, other);
+    for (const double factor : {2.0, -3.0}) set_load_factor(other, "push", factor);
+    CHECK(go_on(scaled) == go_on(other));
+  }
 }
 
 TEST_CASE("a clone has the motions of joints and the wind that the program has set") {
