@@ -13,8 +13,8 @@
 //   a clone takes;
 //
 //   the largest of each kind, rotors of 1,000 blades of 64 bodies, with and without 100 springs
-//   from each blade to its hub, and a shipped turbine: memory, work, span, and what many processors
-//   could make of them.
+//   from each blade to its hub, and two shipped models: memory, work, span, and what many
+//   processors could make of them.
 
 #include <spdlog/fmt/fmt.h>
 
@@ -111,8 +111,8 @@ void measure_large(bool quick, Report& report) {
   models.push_back({name("rotor of {} blades of 64 bodies", many), sprung_rotor(many, 64, 0)});
   models.push_back(
       {name("the same, 100 springs a blade", many), sprung_rotor(many, 64, kSpringsPerBlade)});
-  models.push_back(
-      {"nrel_5mw_in_wind.toml", read_scenario(SPOKE_MODELS_DIR "/nrel_5mw_in_wind.toml")});
+  for (const std::string file : {"nrel_5mw_in_wind.toml", "solid_blade_rotor.toml"})
+    models.push_back({file, read_scenario(SPOKE_MODELS_DIR "/" + file)});
   measure_bounds(models, report);
 }
 

@@ -18,9 +18,9 @@ struct LargeModel {
 };
 
 /// Builds and measures each model, one after the other, and prints: sizes; the memory that it has
-/// taken; times of its start and of a clone; work and span of an evaluation, runs of one pass; and
-/// how many times as fast 16, 64 and 256 processors would be, by a schedule of flow_graph, and by
-/// the bound of greedy schedules, T1/P + Tinf.
+/// taken; times of its start and of a clone, the least of some; work and span of an evaluation,
+/// runs of one pass; and how many times as fast 16, 64 and 256 processors would be, by a schedule
+/// of flow_graph, and by the bound of greedy schedules, T1/P + Tinf.
 void measure_bounds(const std::vector<LargeModel>& models, Report& report);
 
 }  // namespace spoke::bench
