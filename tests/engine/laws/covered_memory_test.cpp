@@ -119,7 +119,7 @@ std::vector<std::string> find_uncovered(const System<World>& system, Formulation
 
 template <class World>
 void check_covered(const System<World>& system) {
-  for (const Formulation formulation : {Formulation::structured, Formulation::subsystem})
+  for (const Formulation formulation : quick_formulations(system.deformation_count()))
     for (const Method& method : {Method(make_generalized_alpha(0.8, 0.01)), Method(Rk4{1e-4})}) {
       CAPTURE(name_of(formulation));
       CAPTURE(method.index());

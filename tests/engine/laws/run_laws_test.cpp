@@ -108,7 +108,7 @@ TEST_CASE("the formulations of every model agree") {
     const Scenario scenario = model.read(kSteps);
     Simulation simulation(scenario, by(ExecutorKind::serial, 1, 1));
     const Shown structured = run(simulation);
-    for (const Formulation formulation : {Formulation::subsystem, Formulation::augmented}) {
+    for (const Formulation formulation : quick_formulations(simulation.size().coordinates)) {
       CAPTURE(name_of(formulation));
       const Shown other = run(scenario, {formulation, ExecutorKind::serial, 1, 1});
       CHECK(differ(structured, other, simulation.sensor_units()) < 1e-6);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/formulation/formulation.h"
 #include "models/scenario.h"
 #include "models/system/spatial_system.h"
 
@@ -25,6 +26,15 @@ struct ZooModel {
 /// Returns all models, by name. Not among them is large_rotor, which is paper_rotor of another
 /// size.
 std::vector<ZooModel> list_zoo();
+
+/// Returns the formulations in which a model of so many coordinates makes a step in a moment: large
+/// dense matrices take long.
+inline std::vector<Formulation> quick_formulations(int coordinates) {
+  std::vector<Formulation> list{Formulation::structured};
+  if (coordinates <= 600) list.push_back(Formulation::subsystem);
+  if (coordinates <= 200) list.push_back(Formulation::augmented);
+  return list;
+}
 
 /// Calls `apply` with the system of a scenario, in the plane or in space, and the time step [s].
 template <class Apply>
