@@ -1,7 +1,7 @@
 #pragma once
 
-// Forces in a beam by the balance of its outboard part (engine/space/bodies/beam), and the momentum of a
-// subsystem.
+// Forces in a beam by the balance of its outboard part (engine/space/bodies/beam), and the momentum
+// of a subsystem.
 
 #include "engine/table/step_data.h"
 
