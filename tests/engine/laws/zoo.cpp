@@ -44,7 +44,7 @@ std::vector<ZooModel> list_zoo() {
          s.rotor.hub.support = HubSupport::free;
          s.rotor.hub.mass = 5.0;
          s.rotor.hub.inertia = 1.0;
-         s.rotor.hub.drive = FreeDrive{};
+         s.rotor.hub.drive = TorqueDrive{Curve(20.0), 0.05};
        }},
   };
   for (const auto& entry : std::filesystem::directory_iterator(SPOKE_MODELS_DIR)) {
