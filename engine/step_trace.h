@@ -50,10 +50,16 @@ struct TracedGraph {
   std::vector<graph::NodeLabel> labels;   ///< of nodes; their passes are -1
   std::vector<std::string> names;         ///< of nodes: "blade 2 / body 3 / inverse"
   std::string subsystem_word;             ///< word for a subsystem: "blade"
-  std::vector<std::string> subsystems;    ///< their names by index, those that begin nodes' names
   std::vector<NodeEdge> edges;            ///< within a pass; from a lower index to a higher one
   std::vector<NodeEdge> next_pass_edges;  ///< from a node of a pass to one of the next pass
+  std::vector<std::string> subsystems{};  ///< their names by index, which begin those of nodes
 
+  /// Returns the name of a subsystem; "blade 2" where it has none.
+  std::string name_of_subsystem(int subsystem) const {
+    const auto k = static_cast<std::size_t>(subsystem);
+    return k < subsystems.size() ? subsystems[k]
+                                 : subsystem_word + " " + std::to_string(subsystem + 1);
+  }
   /// Returns the number of nodes, that of labels and names.
   int node_count() const { return static_cast<int>(labels.size()); }
 };

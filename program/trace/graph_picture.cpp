@@ -81,7 +81,7 @@ Boxes boxes_of_nodes(const TracedGraph& graph) {
     text = name;
     if (label.subsystem < 0) continue;
     constexpr std::string_view between = " / ";
-    text.replace(graph.subsystems[index_of(label.subsystem)].size(), between.size(), "\n");
+    text.replace(graph.name_of_subsystem(label.subsystem).size(), between.size(), "\n");
   }
   return boxes;
 }
@@ -127,7 +127,7 @@ Boxes boxes_of_stages(const TracedGraph& graph, bool by_subsystem) {
     const graph::NodeLabel& label = graph.labels[index_of(node)];
     std::string& text = boxes.all[index_of(boxes.of_node[index_of(node)])].label;
     text = by_subsystem && label.subsystem >= 0
-               ? graph.subsystems[index_of(label.subsystem)] + "\n" + label.stage
+               ? graph.name_of_subsystem(label.subsystem) + "\n" + label.stage
                : label.stage;
   }
   return boxes;

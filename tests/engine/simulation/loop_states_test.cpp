@@ -156,17 +156,17 @@ TEST_CASE("each loop has nodes of its own in a trace, by its name") {
     const std::set<std::string> names(trace.graph.names.begin(), trace.graph.names.end());
     CHECK(names.size() == trace.graph.names.size());
     CHECK(trace.graph.node_count() == simulation.step_graph().node_count());
-    CHECK(names.contains("blade 2 / loop motion"));
-    CHECK(names.contains("blade 2 / loop forces"));
+    CHECK(names.contains("bladeB / loop motion"));
+    CHECK(names.contains("bladeB / loop forces"));
     for (const char* loop : {"link", "spring"})
-      CHECK(names.contains("blade 1 / " + std::string(loop) + " / loop columns") ==
+      CHECK(names.contains("bladeA / " + std::string(loop) + " / loop columns") ==
             (formulation != Formulation::augmented));
     int passes = 0;
     for (const TracedStep& step : trace.steps) passes += step.passes;
     int columns = 0;
     for (const NodeSlice& slice : trace.slices)
       columns += slice.step >= 0 && trace.graph.names[static_cast<std::size_t>(slice.node)] ==
-                                        "blade 1 / spring / loop columns";
+                                        "bladeA / spring / loop columns";
     if (formulation != Formulation::augmented) CHECK(columns > 0);
     CHECK(columns <= passes);
   });

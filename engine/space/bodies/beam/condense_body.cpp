@@ -15,21 +15,21 @@ namespace spoke::space {
 namespace {
 
 /// Four values: of the three columns of C_w^T, and of Q_f.
-struct Lanes {
+struct PortLanes {
   Double4 all{};
 
-  [[gnu::always_inline]] void add(double factor, const Lanes& x) { all += factor * x.all; }
-  [[gnu::always_inline]] void subtract(double factor, const Lanes& x) { all -= factor * x.all; }
-  [[gnu::always_inline]] static Lanes from(const double* x) { return {load4(x)}; }
+  [[gnu::always_inline]] void add(double factor, const PortLanes& x) { all += factor * x.all; }
+  [[gnu::always_inline]] void subtract(double factor, const PortLanes& x) { all -= factor * x.all; }
+  [[gnu::always_inline]] static PortLanes from(const double* x) { return {load4(x)}; }
   [[gnu::always_inline]] void store_to(double* x) const { store(all, x); }
   [[gnu::always_inline]] double operator[](int i) const { return all[i]; }
 };
 
 /// Sums over all rows of y_C^T (y_w, y_Q): three rows of translation, three of rotation.
 struct Products {
-  Lanes t[3], w[3];
+  PortLanes t[3], w[3];
 
-  Matrix3 columns(const Lanes (&rows)[3]) const {
+  Matrix3 columns(const PortLanes (&rows)[3]) const {
     Matrix3 m;
     for (int i = 0; i < 3; ++i) m.row(i) << rows[i][0], rows[i][1], rows[i][2];
     return m;
@@ -72,14 +72,14 @@ constexpr bool moves_mass(int i, int c) {
 template <bool kIsDecoupled>
 void solve_node(const double* below, const double* inverse, const double* b, const double* before,
                 const double* W_t, double* y, Products& products) {
-  Lanes rest[kTwist];
+  PortLanes rest[kTwist];
   unroll<kTwist>([&](auto row) {
     constexpr int i = row;
-    rest[i] = Lanes::from(b + 4 * i);
+    rest[i] = PortLanes::from(b + 4 * i);
   });
   if (before)
     unroll<kTwist>([&](auto column) {
-      const Lanes x = Lanes::from(before + 4 * column);
+      const PortLanes x = PortLanes::from(before + 4 * column);
       unroll<kTwist>([&](auto row) {
         constexpr int i = row, j = column;
         if constexpr (meet<kIsDecoupled>(i, j)) rest[i].subtract(below[kTwist * i + j], x);
@@ -87,7 +87,7 @@ void solve_node(const double* below, const double* inverse, const double* b, con
     });
   unroll<kTwist>([&](auto row) {
     constexpr int i = row;
-    Lanes sum;
+    PortLanes sum;
     unroll<i + 1>([&](auto column) {
       constexpr int j = column;
       if constexpr (meet<kIsDecoupled>(i, j)) sum.add(inverse[kTwist * i + j], rest[j]);
@@ -118,14 +118,14 @@ Products solve_half(const FlexibleBody& body, const ElasticBlock& block, const d
 /// Calculates E_h (W_w, z) = y_E^T (y_w, y_Q): six rows, at the node of a handle.
 template <bool kIsDecoupled>
 void calc_handle_response(const FlexibleBody& body, const ElasticBlock& block, std::size_t h,
-                          const BodyWork& work, Lanes (&response)[kTwist]) {
+                          const BodyWork& work, PortLanes (&response)[kTwist]) {
   const double* Z = block.Z[h].data();
   const int first = first_of_handle(body, h);
   const double* y = work.half + kNodeRows * first;
   for (int k = first; k < body.node_count(); ++k, y += kNodeRows)
     unroll<kTwist>([&](auto row) {
       constexpr int i = row;
-      const Lanes lanes = Lanes::from(y + 4 * i);
+      const PortLanes lanes = PortLanes::from(y + 4 * i);
       unroll<kTwist>([&](auto component) {
         constexpr int c = component;
         if constexpr (meet<kIsDecoupled>(i, c)) response[c].add(Z[c], lanes);
@@ -137,7 +137,7 @@ void calc_handle_response(const FlexibleBody& body, const ElasticBlock& block, s
 /// (3) Calculates X_h = J_h - E_h W and b_h + E_h z of one handle.
 void calc_handle_map(const FlexibleBody& body, const ElasticBlock& block, std::size_t h,
                      const Angular& w, const BodyWork& work) {
-  Lanes response[kTwist]{};
+  PortLanes response[kTwist]{};
   if (body.is_decoupled)
     calc_handle_response<true>(body, block, h, work, response);
   else
