@@ -65,11 +65,11 @@ struct Triple {
 
 /// Momenta of the slots of four nodes, or their rates. For the axes that turn with the node, d_x =
 /// -d_slope1, d_z = d_torsion, g_x = -g_slope2, g_y = -g_torsion.
-struct NodeMomenta {
+struct LaneMomenta {
   Triple stretched, r, t;
   Double4 d_slope1, d_torsion, g_slope2, g_torsion;
 
-  [[gnu::always_inline]] NodeMomenta(const NodeLanes& m, const NodeMotion& motion)
+  [[gnu::always_inline]] LaneMomenta(const NodeLanes& m, const NodeMotion& motion)
       : stretched(multiply(m.stretched, motion)),
         r(multiply(m.r, motion)),
         t(multiply(m.t, motion)),
@@ -80,10 +80,10 @@ struct NodeMomenta {
 };
 
 /// The inertia force of a slot at zero X and q'': b = -(A mu + 2 w x mu') with A = w w^T - |w|^2 1.
-struct InertiaForce {
+struct LaneForce {
   double A[3][3], w[3];
 
-  explicit InertiaForce(const Angular& speed) : w{speed[0], speed[1], speed[2]} {
+  explicit LaneForce(const Angular& speed) : w{speed[0], speed[1], speed[2]} {
     const double ww = speed.squaredNorm();
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) A[i][j] = (i == j ? ww : 0.0) - w[i] * w[j];
@@ -129,9 +129,9 @@ struct NodeForces {
 
 /// Sets the rows of C_w^T and Q_f: for each coordinate Xi^T (e_a x mu) for a = x, y, z, then Xi^T b
 /// + force.
-[[gnu::always_inline]] inline void set_rows(const NodeMomenta& mu, const NodeMomenta& rate,
+[[gnu::always_inline]] inline void set_rows(const LaneMomenta& mu, const LaneMomenta& rate,
                                             const Double4& d_y, const Double4& g_z,
-                                            const InertiaForce& b, const NodeForces& force, int k,
+                                            const LaneForce& b, const NodeForces& force, int k,
                                             int nodes, double* rows) {
   const Double4 zero{};
   const Triple d{-mu.d_slope1, d_y, mu.d_torsion}, d_rate{-rate.d_slope1, zero, rate.d_torsion};
@@ -178,7 +178,7 @@ struct NodeSums {
   }
   /// Adds P = sum of (displacement of a slot) (its momentum, undeformed and now)^T.
   [[gnu::always_inline]] void add_inertia(const NodeLanes& m, const NodeMotion& q,
-                                          const NodeMomenta& mu) {
+                                          const LaneMomenta& mu) {
     const Double4 u = q.u.own, th = q.torsion.own, v = q.place1.own, s1 = q.slope1.own,
                   w = q.place2.own, s2 = q.slope2.own;
     const Double4 d_y = 2.0 * lanes(m.d_undeformed), g_z = 2.0 * lanes(m.g_undeformed);
@@ -195,7 +195,7 @@ struct NodeSums {
   }
   /// Adds G = sum of (momentum of a slot) (rate of its displacement)^T.
   [[gnu::always_inline]] void add_rates(const NodeLanes& m, const NodeMotion& v,
-                                        const NodeMomenta& mu) {
+                                        const LaneMomenta& mu) {
     const Double4 d_y = lanes(m.d_undeformed), g_z = lanes(m.g_undeformed);
     const Double4 th = v.torsion.own, s1 = v.slope1.own, s2 = v.slope2.own;
     const Double4 r[3] = {mu.r.x, mu.r.y, mu.r.z}, t[3] = {mu.t.x, mu.t.y, mu.t.z};
@@ -232,13 +232,13 @@ NodeSums sum_nodes(const FlexibleBody& body, const Angular& w, const BodyScratch
   const LaneRows q(body, scratch, LaneRows::coordinates), v(body, scratch, LaneRows::velocities);
   const NodeForces force{LaneRows(body, scratch, LaneRows::inner_forces),
                          LaneRows(body, scratch, LaneRows::outer_forces)};
-  const InertiaForce b(w);
+  const LaneForce b(w);
   NodeSums sums;
   int k = body.first_node();
   for (const NodeLanes& m : body.directions->nodes) {
     const NodeMotion x(q, k), x_rate(v, k);
-    NodeMomenta mu(m, x);
-    const NodeMomenta rate(m, x_rate);
+    LaneMomenta mu(m, x);
+    const LaneMomenta rate(m, x_rate);
     mu.stretched.x += lanes(m.stretched.undeformed);
     mu.r.x += lanes(m.r.undeformed);
     mu.t.x += lanes(m.t.undeformed);
