@@ -184,11 +184,11 @@ PlacedLoad<Space, BodyLoad<Space>> BeamKind::place_load(const BodyLoad<Space>& l
 double BeamKind::estimate_constants(const space::Body& body) const {
   const space::FlexibleBody& beam = *body.flexible();
   constexpr double kBlock = Space::kTwist * Space::kTwist;
-  constexpr double kSlots =
+  constexpr double kSlotNumbers =
       2.0 * space::kNodeSlots * space::kNodeSlots + space::kElementSlots + 1.0;
   constexpr double kMomentum = 3.0 * Space::kTwist;
   const double nodes = beam.node_count();
-  double numbers = nodes * (6.0 * kBlock + kSlots + kMomentum);  // numbers of the body
+  double numbers = nodes * (6.0 * kBlock + kSlotNumbers + kMomentum);  // numbers of the body
   return sizeof(double) * numbers + beam.elements * sizeof(space::BeamElement) +
          2.0 * estimate_factors(beam);
 }
