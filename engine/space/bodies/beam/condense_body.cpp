@@ -348,7 +348,7 @@ Twist recover(const BodyModel& model, const Twist* wrenches, bool implicit, cons
       force += wrenches[h];
     else
       force += condensed.X[h].transpose().lazyProduct(wrenches[h]);
-  const Twist X = condensed.S_inverse * force;
+  Twist X = condensed.S_inverse * force;
   const ScratchRoom scratch(body, work);
   double* x = scratch->nodal[0];
   if (body.is_decoupled)

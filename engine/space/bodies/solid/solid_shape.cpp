@@ -93,7 +93,8 @@ std::vector<LumpedNode> SolidKind::lump(const Data& body, const space::Pose& pos
   const space::SolidConstants& constants = *solid_of(body).constants;
   const double* q = body.coordinates.q;
   const std::size_t count = constants.nodes.size(), stride = (count + kMost - 1) / kMost;
-  const double share = constants.mass / static_cast<double>((count + stride - 1) / stride);
+  const std::size_t taken = (count + stride - 1) / stride;
+  const double share = constants.mass / static_cast<double>(taken);
   std::vector<LumpedNode> lumped{{pose.p, pose.R.axes, pose.p}};
   for (const space::SolidPlace& place : constants.places) {
     const space::HandleMotion motion = calc_place_motion(place, q, q);
