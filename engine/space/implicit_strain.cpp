@@ -13,7 +13,7 @@
 namespace spoke::space {
 namespace {
 
-using Node = Eigen::Map<Twist>;
+using StateNode = Eigen::Map<Twist>;
 using ConstNode = Eigen::Map<const Twist>;
 
 void clear(ImplicitStrain& strain) {
@@ -27,11 +27,11 @@ void clear(ImplicitStrain& strain) {
 void add_product(const BlockTridiagonal& A, const double* x, double* y) {
   for (int k = 0; k < A.nodes(); ++k) {
     const auto at = static_cast<std::size_t>(k);
-    Node(y + kTwist * k) += A.diagonal[at].lazyProduct(ConstNode(x + kTwist * k));
+    StateNode(y + kTwist * k) += A.diagonal[at].lazyProduct(ConstNode(x + kTwist * k));
     if (k == 0) continue;
     const TwistMatrix& below = A.below[at - 1];
-    Node(y + kTwist * k) += below.lazyProduct(ConstNode(x + kTwist * (k - 1)));
-    Node(y + kTwist * (k - 1)) += below.transpose().lazyProduct(ConstNode(x + kTwist * k));
+    StateNode(y + kTwist * k) += below.lazyProduct(ConstNode(x + kTwist * (k - 1)));
+    StateNode(y + kTwist * (k - 1)) += below.transpose().lazyProduct(ConstNode(x + kTwist * k));
   }
 }
 
@@ -108,7 +108,7 @@ void add_implicit_strain(const FlexibleBody& body, const ImplicitStrain& strain,
   for (int k = 0; k < body.node_count(); ++k) {
     const NodeMomentum& lean = strain.lean[static_cast<std::size_t>(k)];
     moment += lean.transpose().lazyProduct(ConstNode(nodal + kTwist * k));
-    Node(force + kTwist * k) += lean.lazyProduct(turn);
+    StateNode(force + kTwist * k) += lean.lazyProduct(turn);
   }
   angular(terms.Q) += moment;
   terms.Theta += strain.turn;
