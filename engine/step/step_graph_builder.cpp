@@ -234,12 +234,13 @@ void add_coupled_pass(const Assembly<World>& g, const Extent& own) {
     for_others(add);
     for_supports(add);
   };
-  for_each([](const Assembly<World>& own, int i) { add_actors(own, PassPlace::before_motion, i); });
+  for_each(
+      [](const Assembly<World>& pass, int i) { add_actors(pass, PassPlace::before_motion, i); });
   add_hub_motion(g);
   for_supports(add_motion<World>);
   for (int r = 0; r < rotors; ++r) add_rotor_motion(g, r);
   for_others(add_motion<World>);
-  for_each([](const Assembly<World>& own, int i) { add_actors(own, PassPlace::on_motion, i); });
+  for_each([](const Assembly<World>& pass, int i) { add_actors(pass, PassPlace::on_motion, i); });
   for_each(add_applied_forces<World>);
   if (own.sharing && own.sharing->forces) {
     PartList forces;
