@@ -70,7 +70,7 @@ PartList reading_inputs(const Assembly<Space>& g, int i) {
 
 /// Adds the states of actors that the end of a step keeps: those reached, and those kept.
 template <class World>
-void add_states(const SubsystemData<World>& data, PartList& reached, PartList& kept) {
+void list_states(const SubsystemData<World>& data, PartList& reached, PartList& kept) {
   for (const auto& pair : data.delayed) {
     reached.push_back(pair->reached_part);
     kept.push_back(pair->kept_part);
@@ -116,7 +116,7 @@ void add_finish(const Assembly<World>& g) {
   for (std::size_t i = 0; i < c.data.subsystems.size(); ++i) {
     const SubsystemParts& own = c.data.subsystems[i].parts;
     if (!own.loops.is_empty()) reports.push_back(own.loops.report);
-    add_states(c.data.subsystems[i], reports, outputs);
+    list_states(c.data.subsystems[i], reports, outputs);
   }
   if (is_corrected) outputs.push_back(parts.hub_state);
   g.builder.add_node(
@@ -148,7 +148,7 @@ void add_subsystem_finish(const Assembly<World>& g, int i) {
   SubsystemData<World>& data = g.c.data.subsystems[i];
   PartList reports, states;
   if (!own.loops.is_empty()) reports.push_back(own.loops.report);
-  add_states(data, reports, states);
+  list_states(data, reports, states);
   g.builder.add_node(g.label(stages::kFinish, i),
                      reads(reports, own.all(&BodyParts::report), own.all(&BodyParts::power),
                            own.effective, own.hub_state),
