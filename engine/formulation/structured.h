@@ -5,29 +5,21 @@
 // Per body, with Mhat = Mff (+ the implicit shares of D and K) factorised once, C = M_Rf:
 //   Mhat qf'' + C^T X = Q_f + E_i^T F + E_o^T f      E: the handles' deformation coordinates
 //   M_RR X + C qf''   = Q   + J_i^T F + J_o^T f      F, f: wrenches on the handles
-// condense_body() eliminates qf'':
+// condense_body() (engine/kernels/structured_body.h) eliminates qf'':
 //   qf'' = z - W X + Z_i F + Z_o f,   W = Mhat^-1 C^T,  z = Mhat^-1 Q_f,  Z_e = Mhat^-1 E_e^T
 //   S_R X = p + X_i^T F + X_o^T f,    S_R = M_RR - C W,  p = Q - C z,  X_e = J_e - E_e W
 // and so to the multi-port of handle accelerations. Per subsystem the tree of multi-ports is
 // eliminated from the tips to the root (engine/tree) (the block-tridiagonal Phi M^-1 Phi^T of (P
 // 8)); what remains at the root is (P 10). Trees of one subsystem meet at the hub alone: each has a
 // root of its own, and (P 10) is their sum. Trees of rigid bodies alone are eliminated by masses.
-// Sources: structured/condense_body, effective_inertia and recovery; space/mass_elimination.
+// Sources: structured/effective_inertia and recovery; tree_elimination and mass_elimination in
+// space.
 
-#include "engine/table/body_kind.h"
+#include "engine/kernels/structured_body.h"
 #include "engine/table/step_data.h"
 #include "engine/tree/joint_recovery.h"
 
 namespace spoke::structured {
-
-/// Memory of the formulation per body besides BodyData.
-template <class World>
-struct BodyWork : BodyTypes<World>::Condensed {
-  tree::JointElimination<World> joint;        ///< inboard joint; unused for roots
-  tree::Branch<World> branch;                 ///< the body with all that it carries
-  bool by_mass = false;                       ///< see SubsystemWork
-  TwistOf<World> X = TwistOf<World>::Zero();  ///< acceleration of the frame, if by_mass
-};
 
 /// Memory of the formulation per subsystem.
 template <class World>
@@ -44,15 +36,6 @@ struct alignas(kInterferenceSize) SubsystemWork {
 
 template <class World>
 void allocate(SubsystemData<World>& data, SubsystemWork<World>& work);
-
-/// Solves for W_theta and z and condenses a body to its multi-port; `twist`: of its frame. In space
-/// as its kind does.
-void condense_body(const BodyData<Plane>& data, const Twist& twist, bool implicit,
-                   BodyWork<Plane>& work) noexcept;
-inline void condense_body(BodyData<Space>& data, const space::Twist& twist, bool implicit,
-                          const BodyWork<Space>& work) noexcept {
-  data.kind->condense(twist, implicit, work, data);
-}
 
 /// Calculates effective mass and force (P 10): eliminates the joints from the tips to the roots,
 /// over which it sums in their order.
@@ -80,13 +63,5 @@ void load_joints_by_loops(const SubsystemData<World>& data, SubsystemWork<World>
 template <class World>
 void recover_wrenches(const Subsystem<World>& subsystem, SubsystemWork<World>& work,
                       SubsystemData<World>& data) noexcept;
-
-/// Calculates the accelerations of a body (P 7): X into `data.X`, qf'' into the flex vector `a`.
-void recover_body(const SubsystemData<Plane>& subsystem, std::size_t j, const BodyWork<Plane>& work,
-                  bool implicit, BodyData<Plane>& data, double* a) noexcept;
-inline void recover_body(const SubsystemData<Space>&, std::size_t, const BodyWork<Space>& work,
-                         bool implicit, BodyData<Space>& data, double* a) noexcept {
-  data.kind->recover(work, implicit, data, a);
-}
 
 }  // namespace spoke::structured

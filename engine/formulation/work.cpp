@@ -4,8 +4,8 @@
 
 #include <set>
 
-#include "engine/formulation/body_parts.h"
 #include "engine/formulation/tree_joints.h"
+#include "engine/kernels/body_parts.h"
 #include "engine/kernels/dense_body.h"
 #include "engine/table/body_kind.h"
 
@@ -39,8 +39,7 @@ using BodyKey = const typename World::Body*;
 /// type.
 template <class World>
 std::vector<std::vector<subsystem::DenseBlocks>> make_dense_blocks(
-    const StepData<World>& data, const ElasticShares& implicit,
-    FormulationConstants<World>& constants) {
+    const StepData<World>& data, const ElasticShares& implicit, DenseConstants<World>& constants) {
   std::vector<std::vector<subsystem::DenseBlocks>> blocks;
   for (const SubsystemData<World>& subsystem : data.subsystems) {
     blocks.emplace_back();
@@ -49,7 +48,7 @@ std::vector<std::vector<subsystem::DenseBlocks>> make_dense_blocks(
       const auto make = [&](const ElasticShares& shares) {
         return std::make_shared<Eigen::MatrixXd>(make_dense_block(body, shares));
       };
-      blocks.back().push_back(find_or_add(constants.dense, &body, [&] {
+      blocks.back().push_back(find_or_add(constants, &body, [&] {
         return subsystem::DenseBlocks{make(ElasticShares{}), make(implicit)};
       }));
     }
@@ -59,31 +58,31 @@ std::vector<std::vector<subsystem::DenseBlocks>> make_dense_blocks(
 
 // What stiffens a body; in the plane only strains of second order, in implicit steps.
 
-void make_tension(const ElasticShares& implicit, FormulationWork<Plane>& work,
+void make_tension(const ElasticShares& implicit, BodyMemory<Plane>& memory,
                   BodyData<Plane>& member) {
   if (implicit.tension_factor == 0.0 || !has_nonlinear_strain(member)) return;
-  work.strains.push_back(std::make_unique<plane::ImplicitStrain>(plane::make_implicit_strain(
+  memory.strains.push_back(std::make_unique<plane::ImplicitStrain>(plane::make_implicit_strain(
       *member.model->body,
       {implicit.stiffness_factor, implicit.damping_factor, implicit.tension_factor})));
-  member.strain = work.strains.back().get();
+  member.strain = memory.strains.back().get();
 }
-void make_tension(const ElasticShares& implicit, FormulationWork<Space>& work,
+void make_tension(const ElasticShares& implicit, BodyMemory<Space>& memory,
                   BodyData<Space>& member) {
-  member.kind->make_tension(implicit, work, member);
+  member.kind->make_tension(implicit, memory, member);
 }
 
 template <class World>
 void make_elastic_blocks(const ElasticShares& implicit, StepData<World>& data,
-                         FormulationWork<World>& work) {
+                         BodyMemory<World>& memory) {
   for (SubsystemData<World>& subsystem : data.subsystems)
     for (std::size_t j = 0; j < subsystem.bodies.size(); ++j) {
       BodyData<World>& member = subsystem.bodies[j];
       const typename World::Body& body = *member.model->body;
-      const auto& pair = find_or_add(work.constants->blocks, &body, [&] {
+      const auto& pair = find_or_add(memory.constants->blocks, &body, [&] {
         return std::array{make_block(body, ElasticShares{}), make_block(body, implicit)};
       });
       member.blocks = {&pair[0], &pair[1]};
-      make_tension(implicit, work, member);
+      make_tension(implicit, memory, member);
       declare_tension(j, subsystem);
     }
 }
@@ -170,14 +169,14 @@ template <class World>
 void allocate(const System<World>& system, Formulation formulation, const ElasticShares& implicit,
               StepData<World>& data, FormulationWork<World>& work) {
   const std::size_t count = data.subsystems.size();
-  make_elastic_blocks(implicit, data, work);
+  make_elastic_blocks(implicit, data, work.bodies);
   if (formulation == Formulation::structured) {
     work.structured.resize(count);
     for (std::size_t i = 0; i < count; ++i)
       structured::allocate(data.subsystems[i], work.structured[i]);
     return;
   }
-  auto blocks = make_dense_blocks(data, implicit, *work.constants);
+  auto blocks = make_dense_blocks(data, implicit, *work.dense);
   if (formulation == Formulation::augmented)
     return augmented::allocate(system, std::move(blocks), data, work.augmented);
   work.subsystem.resize(count);

@@ -9,60 +9,23 @@
 #include "engine/formulation/formulation.h"
 #include "engine/formulation/structured.h"
 #include "engine/formulation/subsystem.h"
-#include "engine/space/nodal_memory.h"
+#include "engine/kernels/body_memory.h"
 
 namespace spoke {
 
-/// Shares of Mff, K and D in the constant block Mhat of an implicit step; the explicit one has
-/// (1, 0, 0).
-struct ElasticShares {
-  double mass_factor = 1.0;
-  double stiffness_factor = 0.0;
-  double damping_factor = 0.0;  ///< of the damping of sections, and of solids by modes [s]
-  double tension_factor = 0.0;  ///< beta' h^2 [s^2]; 0: see engine/space/implicit_tension.h
-};
-
-/// Returns the factors of a spatial body's matrices in Mhat, the same in all formulations.
-inline space::BlockFactors factors_of(const ElasticShares& shares) {
-  return {shares.mass_factor, shares.stiffness_factor, shares.damping_factor};
-}
-
-/// Returns what a map has for a key. Adds what `make` returns if it has none: where copies share
-/// the map, it is not changed.
-template <class Map, class Make>
-auto& find_or_add(Map& map, const typename Map::key_type& key, const Make& make) {
-  const auto found = map.find(key);
-  return found != map.end() ? found->second : map.emplace(key, make()).first->second;
-}
-
-/// Constants of a formulation. Copies of a table share them: allocate() adds what is missing, and
-/// nothing changes them.
+/// Constant blocks of the dense formulations, shared by bodies of one type.
 template <class World>
-struct FormulationConstants {
-  using Body = typename World::Body;
-  /// Constant blocks, shared by bodies of one type: explicit, implicit. Terms of rigid bodies read
-  /// them, whatever the formulation.
-  std::map<const Body*, std::array<typename BodyTypes<World>::Block, 2>> blocks;
-  std::map<const Body*, subsystem::DenseBlocks> dense;  ///< of the dense formulations, likewise
-  /// Stiffening of solids, by what it is made of, which bodies of one kind share: the matrices of
-  /// their trees, or the constants of those that stiffen by their own rotation.
-  std::map<const void*, space::SolidTensionColumns> solid_tensions;
-  /// Tiles of solids in nodal coordinates, by their constants and tension.
-  std::map<std::pair<const void*, const void*>, space::NodalTiles> tiles;
-};
+using DenseConstants = std::map<const typename World::Body*, subsystem::DenseBlocks>;
 
-/// Memory of the chosen formulation besides the table; that of the others stays empty.
+/// Memory of the chosen formulation and of its bodies besides the table; that of the other
+/// formulations stays empty.
 template <class World>
 struct FormulationWork {
-  std::shared_ptr<FormulationConstants<World>> constants =
-      std::make_shared<FormulationConstants<World>>();
+  BodyMemory<World> bodies;
+  std::shared_ptr<DenseConstants<World>> dense = std::make_shared<DenseConstants<World>>();
   std::vector<structured::SubsystemWork<World>> structured;
   std::vector<subsystem::SubsystemWork<World>> subsystem;
   augmented::Work augmented;
-  /// Tension in implicit steps of spatial bodies that rotation stiffens.
-  std::vector<std::unique_ptr<space::ImplicitTension>> tensions;
-  std::vector<std::unique_ptr<typename BodyTypes<World>::ImplicitStrain>> strains;
-  std::vector<std::unique_ptr<space::NodalMemory>> nodal_memory;  ///< of solids, by body
 };
 
 /// Makes the constants that `work` has not yet, and allocates the work of one formulation for

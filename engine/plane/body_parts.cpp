@@ -1,6 +1,6 @@
 // Declares the parts of planar bodies.
 
-#include "engine/formulation/body_parts.h"
+#include "engine/kernels/body_parts.h"
 
 #include "engine/table/body_parts.h"
 

@@ -3,7 +3,7 @@
 
 #include <cassert>
 
-#include "engine/formulation/structured.h"
+#include "engine/kernels/structured_body.h"
 #include "engine/plane/handle_motion.h"
 #include "models/support/wide_kernels.h"
 

@@ -1,6 +1,6 @@
 // Declares the parts of spatial bodies.
 
-#include "engine/formulation/body_parts.h"
+#include "engine/kernels/body_parts.h"
 
 #include "engine/table/body_kind.h"
 #include "engine/table/body_parts.h"

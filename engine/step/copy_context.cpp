@@ -73,7 +73,8 @@ void begin_copy(const SystemContext<World>& original, SystemContext<World>& copy
   copy.system = original.system;
   copy.data.names = original.data.names;
   part_courses(copy.system);
-  copy.work.constants = original.work.constants;
+  copy.work.bodies.constants = original.work.bodies.constants;
+  copy.work.dense = original.work.dense;
 }
 
 template <class World>

@@ -18,7 +18,7 @@ namespace spoke {
 
 struct ElasticShares;
 template <class World>
-struct FormulationWork;
+struct BodyMemory;
 namespace structured {
 template <class World>
 struct BodyWork;
@@ -64,7 +64,7 @@ class BodyKind<Space> : public BodyView<Space> {
   virtual space::Block make_block(const space::Body& body,
                                   const space::BlockFactors& factors) const = 0;
   /// Makes what stiffens a body whose blocks are made, and memory that depends on it.
-  virtual void make_tension(const ElasticShares& implicit, FormulationWork<Space>& work,
+  virtual void make_tension(const ElasticShares& implicit, BodyMemory<Space>& memory,
                             Data& body) const = 0;
   /// Declares the parts of these of body j.
   virtual void declare_tension(std::size_t j, SubsystemData<Space>& data) const = 0;

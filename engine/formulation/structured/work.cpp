@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "engine/formulation/body_parts.h"
 #include "engine/formulation/loops.h"
 #include "engine/formulation/structured/tree_elimination.h"
+#include "engine/kernels/body_parts.h"
 
 namespace spoke::structured {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "engine/formulation/work.h"
+#include "engine/kernels/body_memory.h"
 #include "engine/space/bodies/condensed_parts.h"
 #include "engine/space/table_access.h"
 
@@ -116,21 +116,21 @@ space::Block BeamKind::make_block(const space::Body& body,
   return block;
 }
 
-void BeamKind::make_tension(const ElasticShares& implicit, FormulationWork<Space>& work,
+void BeamKind::make_tension(const ElasticShares& implicit, BodyMemory<Space>& memory,
                             Data& body) const {
   if (implicit.tension_factor == 0.0) return;
   const space::FlexibleBody& beam = *body.model->body->flexible();
   if (beam.is_nonlinear()) {
-    work.strains.push_back(std::make_unique<space::ImplicitStrain>(space::make_implicit_strain(
+    memory.strains.push_back(std::make_unique<space::ImplicitStrain>(space::make_implicit_strain(
         beam, factors_of(implicit), implicit.tension_factor, *body.blocks[0]->elastic)));
-    body.strain = work.strains.back().get();
+    body.strain = memory.strains.back().get();
     return;
   }
   if (!body.model->stiffening) return;
-  work.tensions.push_back(std::make_unique<space::ImplicitTension>(
+  memory.tensions.push_back(std::make_unique<space::ImplicitTension>(
       space::make_implicit_tension(beam, *body.model->stiffening, factors_of(implicit),
                                    implicit.tension_factor, *body.blocks[1]->elastic)));
-  body.tension = work.tensions.back().get();
+  body.tension = memory.tensions.back().get();
 }
 
 void BeamKind::declare_tension(std::size_t j, SubsystemData<Space>& data) const {

@@ -15,7 +15,7 @@ class BeamKind final : public BodyKind<Space> {
   bool clears_rows(const space::Body& body) const override;
   space::Block make_block(const space::Body& body,
                           const space::BlockFactors& factors) const override;
-  void make_tension(const ElasticShares& implicit, FormulationWork<Space>& work,
+  void make_tension(const ElasticShares& implicit, BodyMemory<Space>& memory,
                     Data& body) const override;
   void declare_tension(std::size_t j, SubsystemData<Space>& data) const override;
   std::span<double> rows_of(const Data& body) const noexcept override;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/formulation/work.h"
+#include "engine/kernels/body_memory.h"
 #include "engine/space/bodies/nodal/nodal_body.h"
 #include "engine/space/bodies/solid/condense_solid.h"
 #include "engine/space/bodies/solid/solid_table_terms.h"
@@ -21,18 +21,18 @@ space::Block NodalKind::make_block(const space::Body& body,
 }
 
 // Hands the solid its tiles besides, and memory for its kernels.
-void NodalKind::make_tension(const ElasticShares& implicit, FormulationWork<Space>& work,
+void NodalKind::make_tension(const ElasticShares& implicit, BodyMemory<Space>& memory,
                              Data& body) const {
-  SolidKind::make_tension(implicit, work, body);
+  SolidKind::make_tension(implicit, memory, body);
   const space::Solid& solid = solid_of(body);
   const auto& place = body.model->stiffening;
   const space::SolidTension* tension = body.solid_tension && place ? place->solid.get() : nullptr;
   const space::SolidConstants& constants = *solid.constants;
-  body.tiles = &find_or_add(work.constants->tiles, {&constants, tension},
+  body.tiles = &find_or_add(memory.constants->tiles, {&constants, tension},
                             [&] { return space::make_nodal_tiles(constants, tension); });
-  work.nodal_memory.push_back(std::make_unique<space::NodalMemory>());
+  memory.nodal_memory.push_back(std::make_unique<space::NodalMemory>());
   space::place_nodal_work(solid, *body.tiles, solid_block_of(body, false),
-                          solid_block_of(body, true), *work.nodal_memory.back(), body.work);
+                          solid_block_of(body, true), *memory.nodal_memory.back(), body.work);
 }
 
 // Counts the matrices, with those that kernels read, and the half solutions.

@@ -11,7 +11,7 @@ class NodalKind final : public SolidKind, public BodySlices {
  public:
   space::Block make_block(const space::Body& body,
                           const space::BlockFactors& factors) const override;
-  void make_tension(const ElasticShares& implicit, FormulationWork<Space>& work,
+  void make_tension(const ElasticShares& implicit, BodyMemory<Space>& memory,
                     Data& body) const override;
   void declare_tension(std::size_t j, SubsystemData<Space>& data) const override;
   void declare_inverse(const PartMaker& maker, Data& body, BodyParts& parts) const override;

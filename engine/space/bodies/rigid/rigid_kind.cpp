@@ -5,7 +5,7 @@
 #include <cassert>
 #include <limits>
 
-#include "engine/formulation/structured.h"
+#include "engine/kernels/structured_body.h"
 #include "engine/space/rigid_body_terms.h"
 #include "engine/space/table_access.h"
 

@@ -14,7 +14,7 @@ class RigidKind final : public BodyKind<Space> {
   bool has_mass_alone() const override { return true; }
   space::Block make_block(const space::Body& body,
                           const space::BlockFactors& factors) const override;
-  void make_tension(const ElasticShares&, FormulationWork<Space>&, Data&) const override {}
+  void make_tension(const ElasticShares&, BodyMemory<Space>&, Data&) const override {}
   void declare_tension(std::size_t, SubsystemData<Space>&) const override {}
   void declare_inverse(const PartMaker&, Data&, BodyParts&) const override {}
   PlacedLoad<Space, BodyLoad<Space>> place_load(const BodyLoad<Space>& load,

@@ -2,7 +2,7 @@
 
 #include "engine/space/bodies/solid/solid_kind.h"
 
-#include "engine/formulation/work.h"
+#include "engine/kernels/body_memory.h"
 #include "engine/space/bodies/solid/solid_table_terms.h"
 #include "engine/space/solid_limits.h"
 #include "engine/space/table_terms.h"
@@ -31,7 +31,7 @@ double SolidKind::calc_surely_linear(const space::Body& body, double range) cons
 }
 
 // The matrices of a solid's stiffening are those in its tree, or by its own rotation.
-void SolidKind::make_tension(const ElasticShares&, FormulationWork<Space>& work, Data& body) const {
+void SolidKind::make_tension(const ElasticShares&, BodyMemory<Space>& memory, Data& body) const {
   const space::SolidConstants& constants = *solid_of(body).constants;
   const auto& place = body.model->stiffening;
   const bool is_own = constants.frame == spatial::SolidFrame::mean_axis;
@@ -39,7 +39,7 @@ void SolidKind::make_tension(const ElasticShares&, FormulationWork<Space>& work,
   const space::SolidTension* in_tree = place ? place->solid.get() : nullptr;
   const void* key = &constants;
   if (in_tree) key = in_tree;
-  body.solid_tension = &find_or_add(work.constants->solid_tensions, key,
+  body.solid_tension = &find_or_add(memory.constants->solid_tensions, key,
                                     [&] { return make_tension_columns(constants, in_tree); });
 }
 

@@ -11,7 +11,7 @@ class SolidKind : public BodyKind<Space> {
   std::size_t count_work(const space::Body& body) const override;
   space::BodyWork place_work(const space::Body& body, double* memory) const override;
   double calc_surely_linear(const space::Body& body, double range) const override;
-  void make_tension(const ElasticShares& implicit, FormulationWork<Space>& work,
+  void make_tension(const ElasticShares& implicit, BodyMemory<Space>& memory,
                     Data& body) const override;
   PlacedLoad<Space, BodyLoad<Space>> place_load(const BodyLoad<Space>& load,
                                                 const space::Body& body) const override;

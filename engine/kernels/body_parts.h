@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-#include "engine/formulation/structured.h"
+#include "engine/kernels/structured_body.h"
 #include "engine/table/body_kind.h"
 #include "engine/table/step_data.h"
 
