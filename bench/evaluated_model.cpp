@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "engine/run/time_stepper.h"
+#include "engine/step/run/time_stepper.h"
 #include "engine/step/step_graph_builder.h"
 
 namespace spoke::bench {

@@ -16,7 +16,7 @@
 #include "bench/compare/interleaved.h"
 #include "bench/progress.h"
 #include "bench/questions.h"
-#include "engine/run/time_stepper.h"
+#include "engine/step/run/time_stepper.h"
 #include "engine/step/step_graph_builder.h"
 #include "graph/machine/duration_text.h"
 #include "models/solid/solid.h"

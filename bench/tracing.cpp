@@ -17,7 +17,7 @@
 #include "bench/paper_rotor.h"
 #include "bench/progress.h"
 #include "bench/questions.h"
-#include "engine/run/step_recording.h"
+#include "engine/step/run/step_recording.h"
 #include "engine/step/step_graph_builder.h"
 #include "graph/executor.h"
 #include "graph/machine/duration_text.h"

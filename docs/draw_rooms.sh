@@ -35,23 +35,26 @@ models/support/	vectors of two and four, quantities
 models/plane/	bodies in the plane
 models/space/	bodies, joints in space
 models/tree/	trees of bodies
+engine/*.h	what programs include
 engine/support/	memory, vectors, log
-engine/body/	types of a body, by world
-engine/tree/	elimination of joints
-engine/table/	all that changes in a step
-engine/plane/	kernels of planar bodies
-engine/space/	kernels of spatial bodies
-engine/kernels/	what serves both worlds
-engine/columns/	columns of sensors
-engine/formulation/	(P 7) to (P 11)
-engine/integrator/	rk4, generalized_alpha
+engine/bodies/	the table, kernels on it, what acts
 engine/step/	the nodes and their graph
-engine/steady/	equilibrium, linear model
-engine/vibration/	modes and their names
-engine/run/	steps, windows, recording
+engine/small_motions/	equilibrium, modes
 engine/simulation/	behind Simulation
-engine/scene/	models as they are drawn
-engine/vtk/	files for ParaView
+engine/output/	files, models as they are drawn
+engine/bodies/*.h	types of a body, by world
+engine/bodies/air/	momentum, stall, inflow
+engine/bodies/tree/	elimination of joints
+engine/bodies/plane/	arithmetic of planar bodies
+engine/bodies/space/	arithmetic of spatial bodies
+engine/bodies/table/	all that changes in a step
+engine/bodies/kernels/	what nodes call on the table
+engine/bodies/kinds/	rigid, beam, reduced, nodal
+engine/bodies/columns/	columns of sensors
+engine/bodies/act/	air, control, loads of users
+engine/step/formulation/	(P 7) to (P 11)
+engine/step/integrator/	rk4, generalized_alpha
+engine/step/run/	steps, windows, recording
 program/foreign/	files of other programs
 program/fmu/	what is in an FMU
 program/fmu/library/	what importers load
@@ -140,18 +143,32 @@ draw_folders() {
       }'
 }
 
-# The map of one folder: its rooms.
+# The map of one folder: its rooms; with "by folder" as the third argument those of one of its folders as
+# one. What a folder has beside the rooms that lie in it is named as the folder.
 draw_library() {
-  include_lines | awk -v notes="$(notes)" -v library="$1/" -v fill="$2" "$(cat tests/rooms.awk)"'
-    { from = room_of($1); to = room_of($2); if (from != to) arrow[from, to] = 1 }'"$draw"'
+  include_lines | awk -v notes="$(notes)" -v library="$1/" -v fill="$2" -v by_folder="${3:+1}" "$(cat tests/rooms.awk)"'
+    function box_of(room,   rest) {
+      if (index(room, library) != 1) return ""
+      rest = substr(room, length(library) + 1)
+      if (by_folder && rest ~ "/") sub("/.*", "/", rest)
+      return library rest
+    }
+    { from = box_of(room_of($1)); to = box_of(room_of($2)); if (from != to && from != "" && to != "") arrow[from, to] = 1 }'"$draw"'
     END {
       read_notes()
-      for (name in note) if (name ~ "/" && !(name in rank)) { print "a note on no room: " name > "/dev/stderr"; exit 1 }
-      for (k = 1; k <= rooms; ++k) if (index(room[k], library) == 1 && room[k] != library) box[++boxes] = room[k]
+      for (k = 1; k <= rooms; ++k) {
+        known_room[room[k]]
+        name = box_of(room[k])
+        if (name == "" || name in known_box) continue
+        known_box[name]; known_room[name]
+        if (name != library || library ~ "/.*/") box[++boxes] = name
+      }
+      if (by_folder) for (name in note)
+        if (index(name, library) == 1 && !(name in known_room)) { print "a note on no room: " name > "/dev/stderr"; exit 1 }
       draw_head()
       for (k = 1; k <= boxes; ++k) {
         title = substr(box[k], length(library) + 1)
-        sub(/\{.*/, " what the table keeps", title)  # files of a folder that stand before the others
+        if (title == "") title = library
         draw_box(box[k], title, box[k] ~ /\/$/)
       }
       draw_arrows()
@@ -167,7 +184,9 @@ trap 'rm -rf "$made"' EXIT
 draw_folders >"$made/rooms.dot"
 draw_library graph '#e8effa' >"$made/rooms_graph.dot"
 draw_library models '#e9f3e6' >"$made/rooms_models.dot"
-draw_library engine '#fdf4e3' >"$made/rooms_engine.dot"
+draw_library engine '#fdf4e3' 'by folder' >"$made/rooms_engine.dot"
+draw_library engine/bodies '#fdf4e3' >"$made/rooms_engine_bodies.dot"
+draw_library engine/step '#fdf4e3' >"$made/rooms_engine_step.dot"
 draw_library program '#f6eaf6' >"$made/rooms_program.dot"
 draw_library bench '#f4f4f4' >"$made/rooms_bench.dot"
 if [ "${1:-}" != --check ]; then

@@ -20,8 +20,8 @@ struct SavedState {
   std::int64_t evaluations = 0;  ///< of the accelerations, so far
   double work = 0.0;             ///< by drive and loads since t = 0 [J]
   double dissipated = 0.0;       ///< since t = 0 [J]
-  /// Values that a step leaves to the next, see engine/table/state_values.h, then the Observations
-  /// of all steps so far (engine/simulation/observations.h).
+  /// Values that a step leaves to the next, see engine/bodies/table/state_values.h, then the
+  /// Observations of all steps so far (engine/simulation/observations.h).
   std::vector<double> values;
 };
 

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/formulation/formulation.h"
+#include "engine/formulation.h"
 #include "engine/load.h"
 #include "engine/loops_at_start.h"
 #include "engine/saved_state.h"

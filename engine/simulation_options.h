@@ -7,7 +7,7 @@
 #include <span>
 
 #include "engine/exchange.h"
-#include "engine/formulation/formulation.h"
+#include "engine/formulation.h"
 #include "graph/executor.h"
 
 namespace spoke {

@@ -17,11 +17,11 @@ lay() {
 fresh_tree() {
   rm -rf "${tree:?}"/*
   mkdir -p "$tree/tests" "$tree/models"
-  printf '# order\ngraph/low/\ngraph/high/\nengine/kernels/\n' >"$tree/tests/include_order.txt"
+  printf '# order\ngraph/low/\ngraph/high/\nengine/step/\n' >"$tree/tests/include_order.txt"
   lay graph/low/a.h
   sed -i d "$tree/graph/low/a.h"
   lay graph/high/b.h graph/low/a.h
-  lay engine/kernels/c.cpp graph/high/b.h
+  lay engine/step/c.cpp graph/high/b.h
 }
 # expect STATUS WORDS: what the check must answer.
 expect() {
@@ -42,27 +42,26 @@ fresh_tree && lay graph/low/d.h graph/low/e.h && lay graph/low/e.cpp graph/low/d
 expect 1 'part of a circle'
 fresh_tree && lay graph/lost/f.h graph/low/a.h
 expect 1 'graph/lost/f.h: belongs to no room'
-fresh_tree && lay graph/low/a.h engine/kernels/c.h
+fresh_tree && lay graph/low/a.h engine/step/c.h
 expect 1 'graph/ knows no physics'
-fresh_tree && lay engine/kernels/c.cpp oneapi/tbb/flow_graph.h
+fresh_tree && lay engine/step/c.cpp oneapi/tbb/flow_graph.h
 expect 1 'threads belong to graph/'
-fresh_tree && lay engine/kernels/c.h nlohmann/json.hpp
+fresh_tree && lay engine/step/c.h nlohmann/json.hpp
 expect 1 'no library but Eigen in a header'
-# A room of some files of a folder: the others are of the folder's room, further down.
-rooms_of_files() {
+# A room of the headers that lie in a folder itself, below the rooms in it.
+public_headers() {
   fresh_tree
-  sed -i '2i graph/high/{data,more}' "$tree/tests/include_order.txt"
-  cp "$tree/graph/low/a.h" "$tree/graph/high/data.h"
-  cp "$tree/graph/low/a.h" "$tree/graph/high/more.h"
+  sed -i '2i graph/*.h' "$tree/tests/include_order.txt"
+  cp "$tree/graph/low/a.h" "$tree/graph/public.h"
 }
-rooms_of_files && lay graph/high/b.h graph/high/data.h && lay graph/low/a.h graph/high/more.h
+public_headers && lay graph/low/a.h graph/public.h
 expect 0 ''
-rooms_of_files && lay graph/high/data.h graph/high/b.h && sed -i d "$tree/graph/high/b.h"
-expect 1 'graph/high/data.h includes graph/high/b.h: graph/high/ is not below graph/high/{data,more}'
-rooms_of_files && cp "$tree/graph/low/a.h" "$tree/graph/high/data_of.h" && lay graph/low/a.h graph/high/data_of.h
-expect 1 'graph/low/a.h includes graph/high/data_of.h: graph/high/ is not below graph/low/'
-rooms_of_files && rm "$tree/graph/high/more.h"
-expect 1 'no such room: graph/high/more'
+public_headers && lay graph/public.h graph/low/a.h
+expect 1 'graph/public.h includes graph/low/a.h: graph/low/ is not below graph/*.h'
+public_headers && lay graph/public.cpp graph/low/a.h
+expect 1 'graph/public.cpp: belongs to no room'
+public_headers && rm "$tree/graph/public.h"
+expect 1 'no such room: graph/*.h'
 fresh_tree && echo 'graph/none/' >>"$tree/tests/include_order.txt"
 expect 1 'no such room: graph/none/'
 exit $((failures > 0))

@@ -6,7 +6,7 @@ check=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/check_kinds.sh
 tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
 failures=0
-mkdir -p "$tree/engine/space/bodies/beam" "$tree/engine/step"
+mkdir -p "$tree/engine/bodies/kinds/beam" "$tree/engine/step"
 
 # expect STATUS LINE: what the check must answer when this line stands in a file of the step.
 expect() {
@@ -20,7 +20,7 @@ expect() {
   fi
 }
 
-echo 'return *body.flexible();' >"$tree/engine/space/bodies/beam/beam.cpp"
+echo 'return *body.flexible();' >"$tree/engine/bodies/kinds/beam/beam.cpp"
 expect 0 'body.kind->condense(twist, implicit, work, body);'
 expect 1 'if (const space::Solid* solid = body.model->body->solid()) {'
 expect 1 'if (body->rigid()) return;'

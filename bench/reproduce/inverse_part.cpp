@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/run/time_stepper.h"
+#include "engine/step/run/time_stepper.h"
 #include "engine/step/stages.h"
 #include "engine/step/step_graph_builder.h"
 #include "graph/calibrate/node_costs.h"

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "bench/reproduce/kernel_operations.h"
-#include "engine/formulation/formulation.h"
+#include "engine/formulation.h"
 
 namespace spoke::reproduce {
 

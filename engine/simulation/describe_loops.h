@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/loops_at_start.h"
-#include "engine/steady/subsystem_names.h"
+#include "engine/small_motions/steady/subsystem_names.h"
 #include "engine/step/step_context.h"
 
 namespace spoke {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/simulation/failure_site.h"
-#include "engine/steady/subsystem_names.h"
+#include "engine/small_motions/steady/subsystem_names.h"
 #include "models/error.h"
 #include "models/scenario.h"
 

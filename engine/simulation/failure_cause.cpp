@@ -6,10 +6,10 @@
 #include <sstream>
 #include <type_traits>
 
-#include "engine/plane/natural_frequencies.h"
-#include "engine/plane/suggested_bodies.h"
+#include "engine/bodies/kernels/plane/natural_frequencies.h"
+#include "engine/bodies/kernels/plane/suggested_bodies.h"
 #include "engine/simulation/jumps.h"
-#include "engine/vibration/frequency_limits.h"
+#include "engine/small_motions/vibration/frequency_limits.h"
 #include "models/error.h"
 
 namespace spoke {

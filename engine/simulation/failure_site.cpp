@@ -6,10 +6,10 @@
 #include <cmath>
 #include <sstream>
 
-#include "engine/kernels/deformation_limits.h"
-#include "engine/plane/body_energies.h"
+#include "engine/bodies/kernels/deformation_limits.h"
+#include "engine/bodies/kernels/plane/body_energies.h"
+#include "engine/bodies/table/body_kind.h"
 #include "engine/step/stages.h"
-#include "engine/table/body_kind.h"
 
 namespace spoke {
 namespace {

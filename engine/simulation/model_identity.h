@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "engine/formulation/formulation.h"
+#include "engine/formulation.h"
 #include "models/scenario.h"
 
 namespace spoke {

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "engine/act/user_load/user_loads.h"
-#include "engine/formulation/tree_joints.h"
-#include "engine/kernels/hub_motion.h"
+#include "engine/bodies/act/user_load/user_loads.h"
+#include "engine/bodies/kernels/hub_motion.h"
+#include "engine/bodies/table/state_values.h"
 #include "engine/simulation/describe_loops.h"
 #include "engine/simulation/planar_model.h"
 #include "engine/simulation/require_range.h"
@@ -20,11 +20,11 @@
 #include "engine/simulation/spatial_model.h"
 #include "engine/simulation/views.h"
 #include "engine/step/copy_context.h"
+#include "engine/step/formulation/tree_joints.h"
 #include "engine/step/loop_start.h"
 #include "engine/step/model_memory.h"
 #include "engine/step/put_bodies.h"
 #include "engine/step/share_subsystems.h"
-#include "engine/table/state_values.h"
 #include "models/system/spatial_system.h"
 
 namespace spoke {

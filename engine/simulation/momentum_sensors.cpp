@@ -8,7 +8,7 @@
 #include <iterator>
 #include <numeric>
 
-#include "engine/columns/spatial_columns.h"
+#include "engine/bodies/columns/spatial_columns.h"
 
 namespace spoke {
 namespace {

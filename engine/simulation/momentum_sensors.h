@@ -5,9 +5,9 @@
 #include <array>
 #include <vector>
 
-#include "engine/columns/sensor_columns.h"
+#include "engine/bodies/columns/sensor_columns.h"
+#include "engine/bodies/table/step_data.h"
 #include "engine/simulation/observations.h"
-#include "engine/table/step_data.h"
 
 namespace spoke {
 

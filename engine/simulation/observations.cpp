@@ -8,8 +8,8 @@
 #include <limits>
 #include <sstream>
 
-#include "engine/plane/suggested_bodies.h"
-#include "engine/steady/deflection_words.h"
+#include "engine/bodies/kernels/plane/suggested_bodies.h"
+#include "engine/small_motions/steady/deflection_words.h"
 #include "models/plane/beam_properties.h"
 
 namespace spoke {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/bodies/table/step_progress.h"
 #include "engine/simulation/jumps.h"
-#include "engine/table/step_progress.h"
 #include "engine/warnings.h"
 #include "models/scenario.h"
 

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-#include "engine/kernels/marker_motion.h"
+#include "engine/bodies/kernels/marker_motion.h"
 #include "engine/simulation/observations.h"
 #include "engine/simulation/views.h"
 #include "models/error.h"

@@ -4,11 +4,11 @@
 
 #include <vector>
 
-#include "engine/columns/sensor_columns.h"
+#include "engine/bodies/columns/sensor_columns.h"
 #include "engine/load.h"
 #include "engine/simulation/sensors.h"
 #include "engine/simulation/spatial_joints.h"
-#include "engine/steady/subsystem_names.h"
+#include "engine/small_motions/steady/subsystem_names.h"
 #include "engine/step/step_context.h"
 #include "engine/tree_shape.h"
 #include "models/scenario.h"

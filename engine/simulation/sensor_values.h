@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/bodies/table/step_data.h"
 #include "engine/simulation/observations.h"
-#include "engine/table/step_data.h"
 
 namespace spoke {
 

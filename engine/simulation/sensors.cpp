@@ -4,10 +4,10 @@
 
 #include <utility>
 
-#include "engine/kernels/kinematics.h"
-#include "engine/kernels/loop_motion.h"
-#include "engine/kernels/readings.h"
-#include "engine/kernels/samples.h"
+#include "engine/bodies/kernels/kinematics.h"
+#include "engine/bodies/kernels/loop_motion.h"
+#include "engine/bodies/kernels/readings.h"
+#include "engine/bodies/kernels/samples.h"
 
 namespace spoke {
 namespace {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/columns/sensor_columns.h"
+#include "engine/bodies/columns/sensor_columns.h"
+#include "engine/bodies/table/step_data.h"
 #include "engine/simulation/momentum_sensors.h"
 #include "engine/simulation/sensor_values.h"
-#include "engine/table/step_data.h"
 
 namespace spoke {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/act/user_load/user_loads.h"
+#include "engine/bodies/act/user_load/user_loads.h"
 #include "engine/load.h"
 #include "engine/loops_at_start.h"
 #include "engine/simulation/anchors.h"

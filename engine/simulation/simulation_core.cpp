@@ -9,11 +9,11 @@
 #include <sstream>
 #include <utility>
 
+#include "engine/bodies/table/state_values.h"
 #include "engine/simulation/make_model.h"
 #include "engine/simulation/model_identity.h"
 #include "engine/simulation/require_range.h"
-#include "engine/steady/steady_start.h"
-#include "engine/table/state_values.h"
+#include "engine/small_motions/steady/steady_start.h"
 #include "graph/declaration_check.h"
 #include "models/count_text.h"
 #include "models/error.h"

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "engine/load.h"
-#include "engine/run/step_runner.h"
 #include "engine/saved_state.h"
 #include "engine/simulation/observations.h"
 #include "engine/simulation/sensors.h"
@@ -20,6 +19,7 @@
 #include "engine/simulation/simulation_log.h"
 #include "engine/simulation_options.h"
 #include "engine/step/pass_integration.h"
+#include "engine/step/run/step_runner.h"
 
 namespace spoke {
 

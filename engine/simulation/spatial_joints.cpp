@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-#include "engine/kernels/kinematics.h"
+#include "engine/bodies/kernels/kinematics.h"
 #include "engine/simulation/require_range.h"
 #include "models/error.h"
 #include "models/support/nearest_name.h"

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/space/joint_motion.h"
+#include "engine/bodies/space/joint_motion.h"
 #include "engine/step/step_context.h"
 #include "models/space/tree_joint.h"
 #include "models/tree/tree.h"

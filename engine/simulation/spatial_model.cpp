@@ -5,15 +5,15 @@
 #include <cassert>
 #include <utility>
 
-#include "engine/kernels/kinematics.h"
-#include "engine/kernels/loop_motion.h"
-#include "engine/kernels/readings.h"
-#include "engine/kernels/samples.h"
+#include "engine/bodies/kernels/kinematics.h"
+#include "engine/bodies/kernels/loop_motion.h"
+#include "engine/bodies/kernels/readings.h"
+#include "engine/bodies/kernels/samples.h"
+#include "engine/bodies/kernels/space/joint_values.h"
+#include "engine/bodies/kernels/space/supported_rotor.h"
+#include "engine/bodies/table/body_kind.h"
 #include "engine/simulation/views.h"
-#include "engine/space/joint_values.h"
-#include "engine/space/supported_rotor.h"
 #include "engine/support/memory.h"
-#include "engine/table/body_kind.h"
 #include "models/error.h"
 #include "models/system/spatial_system.h"
 

@@ -5,11 +5,11 @@
 #include <memory>
 #include <vector>
 
-#include "engine/columns/spatial_columns.h"
+#include "engine/bodies/columns/spatial_columns.h"
 #include "engine/load.h"
 #include "engine/simulation/spatial_joints.h"
 #include "engine/simulation/spatial_sensors.h"
-#include "engine/steady/subsystem_names.h"
+#include "engine/small_motions/steady/subsystem_names.h"
 #include "engine/step/step_context.h"
 #include "engine/tree_shape.h"
 #include "models/scenario.h"

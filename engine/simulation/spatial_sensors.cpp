@@ -5,10 +5,10 @@
 #include <array>
 #include <utility>
 
-#include "engine/air/rotor_coefficients.h"
-#include "engine/columns/spatial_columns.h"
-#include "engine/kernels/hub_motion.h"
-#include "engine/space/joint_values.h"
+#include "engine/bodies/air/rotor_coefficients.h"
+#include "engine/bodies/columns/spatial_columns.h"
+#include "engine/bodies/kernels/hub_motion.h"
+#include "engine/bodies/kernels/space/joint_values.h"
 #include "models/tree/sensor_place.h"
 
 namespace spoke {

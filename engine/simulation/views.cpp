@@ -8,15 +8,15 @@
 #include <utility>
 #include <vector>
 
-#include "engine/act/user_load/load_markers.h"
-#include "engine/kernels/anchor_motion.h"
-#include "engine/kernels/kinematics.h"
-#include "engine/kernels/loop_readings.h"
-#include "engine/kernels/marker_motion.h"
-#include "engine/kernels/modal_damping.h"
-#include "engine/plane/section.h"
-#include "engine/space/relative_motion.h"
-#include "engine/table/body_kind.h"
+#include "engine/bodies/act/user_load/load_markers.h"
+#include "engine/bodies/kernels/anchor_motion.h"
+#include "engine/bodies/kernels/kinematics.h"
+#include "engine/bodies/kernels/loop_readings.h"
+#include "engine/bodies/kernels/marker_motion.h"
+#include "engine/bodies/kernels/modal_damping.h"
+#include "engine/bodies/kernels/space/relative_motion.h"
+#include "engine/bodies/plane/section.h"
+#include "engine/bodies/table/body_kind.h"
 #include "models/error.h"
 #include "models/support/nearest_name.h"
 

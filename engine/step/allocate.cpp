@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cassert>
 
-#include "engine/act/place_actors.h"
-#include "engine/formulation/loops.h"
-#include "engine/kernels/applied_forces.h"
-#include "engine/kernels/hub_motion.h"
-#include "engine/space/put_joint.h"
+#include "engine/bodies/act/place_actors.h"
+#include "engine/bodies/kernels/applied_forces.h"
+#include "engine/bodies/kernels/hub_motion.h"
+#include "engine/bodies/kernels/space/put_joint.h"
+#include "engine/step/formulation/loops.h"
 #include "engine/step/loop_start.h"
 #include "engine/step/step_context.h"
 #include "engine/step/step_errors.h"

@@ -2,7 +2,7 @@
 
 #include "engine/step/assembly.h"
 
-#include "engine/kernels/hub_motion.h"
+#include "engine/bodies/kernels/hub_motion.h"
 
 namespace spoke {
 

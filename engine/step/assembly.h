@@ -6,7 +6,7 @@
 #include <cassert>
 #include <string_view>
 
-#include "engine/formulation/tree_joints.h"
+#include "engine/step/formulation/tree_joints.h"
 #include "engine/step/stages.h"
 #include "engine/step/step_context.h"
 

@@ -2,11 +2,11 @@
 
 #include <cassert>
 
-#include "engine/integrator/rotation.h"
-#include "engine/kernels/hub_motion.h"
-#include "engine/kernels/kinematics.h"
+#include "engine/bodies/kernels/hub_motion.h"
+#include "engine/bodies/kernels/kinematics.h"
+#include "engine/bodies/table/body_kind.h"
+#include "engine/step/integrator/rotation.h"
 #include "engine/step/pass_integration.h"
-#include "engine/table/body_kind.h"
 
 namespace spoke {
 namespace {

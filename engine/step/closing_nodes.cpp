@@ -2,15 +2,15 @@
 
 #include "engine/step/closing_nodes.h"
 
-#include "engine/formulation/loops.h"
-#include "engine/kernels/hub_solve.h"
-#include "engine/kernels/kinematics.h"
-#include "engine/kernels/loop_motion.h"
-#include "engine/kernels/readings.h"
-#include "engine/kernels/samples.h"
-#include "engine/space/joint_values.h"
-#include "engine/space/relative_motion.h"
-#include "engine/space/supported_rotor.h"
+#include "engine/bodies/kernels/hub_solve.h"
+#include "engine/bodies/kernels/kinematics.h"
+#include "engine/bodies/kernels/loop_motion.h"
+#include "engine/bodies/kernels/readings.h"
+#include "engine/bodies/kernels/samples.h"
+#include "engine/bodies/kernels/space/joint_values.h"
+#include "engine/bodies/kernels/space/relative_motion.h"
+#include "engine/bodies/kernels/space/supported_rotor.h"
+#include "engine/step/formulation/loops.h"
 #include "engine/step/pass_integration.h"
 
 namespace spoke {

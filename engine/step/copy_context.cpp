@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "engine/table/state_values.h"
+#include "engine/bodies/table/state_values.h"
 
 namespace spoke {
 namespace {

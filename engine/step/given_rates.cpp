@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "engine/kernels/hub_motion.h"
+#include "engine/bodies/kernels/hub_motion.h"
 
 namespace spoke {
 namespace {

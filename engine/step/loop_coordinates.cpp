@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cassert>
 
-#include "engine/integrator/rotation.h"
-#include "engine/kernels/hub_motion.h"
-#include "engine/kernels/kinematics.h"
-#include "engine/kernels/loop_motion.h"
-#include "engine/kernels/samples.h"
+#include "engine/bodies/kernels/hub_motion.h"
+#include "engine/bodies/kernels/kinematics.h"
+#include "engine/bodies/kernels/loop_motion.h"
+#include "engine/bodies/kernels/samples.h"
+#include "engine/step/integrator/rotation.h"
 
 namespace spoke {
 namespace {

@@ -2,8 +2,8 @@
 
 #include "engine/step/loop_nodes.h"
 
-#include "engine/formulation/loops.h"
-#include "engine/kernels/loop_motion.h"
+#include "engine/bodies/kernels/loop_motion.h"
+#include "engine/step/formulation/loops.h"
 
 namespace spoke {
 namespace {

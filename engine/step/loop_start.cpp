@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-#include "engine/kernels/loop_motion.h"
+#include "engine/bodies/kernels/loop_motion.h"
 #include "engine/step/given_rates.h"
 #include "engine/step/loop_coordinates.h"
 #include "engine/step/loop_rank.h"

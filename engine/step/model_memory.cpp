@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <string>
 
-#include "engine/formulation/work.h"
+#include "engine/bodies/table/body_kind.h"
+#include "engine/step/formulation/work.h"
 #include "engine/support/memory.h"
-#include "engine/table/body_kind.h"
 #include "spoke/error.h"
 
 namespace spoke {

@@ -2,8 +2,8 @@
 
 // The memory that a model takes, and whether this machine has it.
 
-#include "engine/formulation/formulation.h"
-#include "engine/table/step_data.h"
+#include "engine/bodies/table/step_data.h"
+#include "engine/formulation.h"
 
 namespace spoke {
 

@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/kernels/applied_forces.h"
-#include "engine/kernels/hub_motion.h"
-#include "engine/kernels/kinematics.h"
-#include "engine/kernels/modal_damping.h"
-#include "engine/plane/handle_motion.h"
-#include "engine/plane/section_loads.h"
-#include "engine/space/supported_rotor.h"
-#include "engine/space/table_terms.h"
+#include "engine/bodies/kernels/applied_forces.h"
+#include "engine/bodies/kernels/hub_motion.h"
+#include "engine/bodies/kernels/kinematics.h"
+#include "engine/bodies/kernels/modal_damping.h"
+#include "engine/bodies/kernels/plane/handle_motion.h"
+#include "engine/bodies/kernels/plane/section_loads.h"
+#include "engine/bodies/kernels/space/supported_rotor.h"
+#include "engine/bodies/kernels/space/table_terms.h"
 #include "engine/step/pass_integration.h"
 
 namespace spoke {

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/integrator/relaxation.h"
-#include "engine/kernels/deformation_limits.h"
-#include "engine/kernels/hub_motion.h"
-#include "engine/kernels/hub_solve.h"
-#include "engine/kernels/kinematics.h"
+#include "engine/bodies/kernels/deformation_limits.h"
+#include "engine/bodies/kernels/hub_motion.h"
+#include "engine/bodies/kernels/hub_solve.h"
+#include "engine/bodies/kernels/kinematics.h"
+#include "engine/step/integrator/relaxation.h"
 #include "engine/step/step_errors.h"
 
 namespace spoke {

@@ -4,8 +4,8 @@
 // end the integrator takes the accelerations found, the state is checked, all reports are summed in
 // fixed order, and the progress moves on.
 
-#include "engine/integrator/step_control.h"
-#include "engine/table/step_data.h"
+#include "engine/bodies/table/step_data.h"
+#include "engine/step/integrator/step_control.h"
 
 namespace spoke {
 

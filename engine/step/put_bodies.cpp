@@ -4,7 +4,7 @@
 
 #include <cassert>
 
-#include "engine/space/put_joint.h"
+#include "engine/bodies/kernels/space/put_joint.h"
 
 namespace spoke {
 namespace {

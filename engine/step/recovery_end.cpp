@@ -2,7 +2,7 @@
 
 #include "engine/step/recovery_end.h"
 
-#include "engine/formulation/tree_joints.h"
+#include "engine/step/formulation/tree_joints.h"
 #include "engine/step/pass_integration.h"
 
 namespace spoke {

@@ -7,8 +7,8 @@
 #include <memory>
 #include <utility>
 
+#include "engine/bodies/table/state_values.h"
 #include "engine/step/pass_integration.h"
-#include "engine/table/state_values.h"
 #include "graph/access.h"
 
 namespace spoke {

@@ -2,12 +2,12 @@
 
 #include "engine/step/solution_nodes.h"
 
-#include "engine/formulation/loops.h"
-#include "engine/formulation/tree_joints.h"
-#include "engine/kernels/hub_motion.h"
-#include "engine/kernels/hub_solve.h"
-#include "engine/space/fetch_ahead.h"
-#include "engine/space/supported_rotor.h"
+#include "engine/bodies/kernels/hub_motion.h"
+#include "engine/bodies/kernels/hub_solve.h"
+#include "engine/bodies/kernels/space/fetch_ahead.h"
+#include "engine/bodies/kernels/space/supported_rotor.h"
+#include "engine/step/formulation/loops.h"
+#include "engine/step/formulation/tree_joints.h"
 #include "engine/step/pass_integration.h"
 #include "engine/step/recovery_end.h"
 #include "engine/step/tile_nodes.h"

@@ -1,12 +1,12 @@
 #pragma once
 
 // The stages of every pass, those of its nodes: the names by which traces, messages and predictions
-// call them, and their roles. Actors (engine/act/) have stages besides.
+// call them, and their roles. Actors (engine/bodies/act/) have stages besides.
 
 #include <array>
 #include <string_view>
 
-#include "engine/table/stage.h"
+#include "engine/bodies/table/stage.h"
 
 namespace spoke::stages {
 

@@ -6,11 +6,11 @@
 #include <memory>
 #include <span>
 
-#include "engine/formulation/work.h"
-#include "engine/integrator/step_control.h"
+#include "engine/bodies/table/step_data.h"
+#include "engine/step/formulation/work.h"
+#include "engine/step/integrator/step_control.h"
 #include "engine/step/loop_freedoms.h"
 #include "engine/step/sharing.h"
-#include "engine/table/step_data.h"
 #include "graph/step_graph.h"
 
 namespace spoke {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/kernels/hub_motion.h"
-#include "engine/table/body_kind.h"
+#include "engine/bodies/kernels/hub_motion.h"
+#include "engine/bodies/table/body_kind.h"
 
 namespace spoke {
 namespace {

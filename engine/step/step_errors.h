@@ -7,8 +7,8 @@
 //   D:  c h^2 (w'_{n+1} - w'_n) -+ h^3/12 w x w',  - in the child's frame, + in the parent's.
 // Angles are measured in rad, places by a length of the model. rk4 has no such estimate.
 
-#include "engine/integrator/generalized_alpha.h"
-#include "engine/table/step_data.h"
+#include "engine/bodies/table/step_data.h"
+#include "engine/step/integrator/generalized_alpha.h"
 
 namespace spoke {
 

@@ -7,11 +7,11 @@
 #include <cassert>
 #include <utility>
 
-#include "engine/kernels/applied_forces.h"
-#include "engine/kernels/modal_damping.h"
-#include "engine/plane/table_terms.h"
-#include "engine/space/fetch_ahead.h"
-#include "engine/space/table_terms.h"
+#include "engine/bodies/kernels/applied_forces.h"
+#include "engine/bodies/kernels/modal_damping.h"
+#include "engine/bodies/kernels/plane/table_terms.h"
+#include "engine/bodies/kernels/space/fetch_ahead.h"
+#include "engine/bodies/kernels/space/table_terms.h"
 #include "engine/step/closing_nodes.h"
 #include "engine/step/loop_nodes.h"
 #include "engine/step/motion_nodes.h"
@@ -32,11 +32,11 @@
 // Closed loops add "loop motion" behind "velocity", a node "loop columns" for each loop and "loop
 // factor" behind "effective", and "loop forces" before "multipliers". The hub does not see them.
 //
-// Actors (engine/table/actor.h) add nodes in two places. Controllers of a subsystem are a node
-// "control" before all of these, which changes nothing but in the first pass of a step; "velocity"
-// follows it. A load of the user's is a node between "velocity" and the "mass" of its bodies, and
-// so is "air"; "finish" keeps the states that they have reached. A load between subsystems is a
-// node of no subsystem, and makes the passes of all subsystems one, as below.
+// Actors (engine/bodies/table/actor.h) add nodes in two places. Controllers of a subsystem are a
+// node "control" before all of these, which changes nothing but in the first pass of a step;
+// "velocity" follows it. A load of the user's is a node between "velocity" and the "mass" of its
+// bodies, and so is "air"; "finish" keeps the states that they have reached. A load between
+// subsystems is a node of no subsystem, and makes the passes of all subsystems one, as below.
 //
 // Nothing that a subsystem's next pass reads comes from another subsystem: the passes of a graph,
 // and with them the steps of a window, are one chain for each subsystem, with its own progress. The

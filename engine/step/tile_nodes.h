@@ -3,8 +3,8 @@
 // The nodes of the slices of a solid in nodal coordinates, where it has several: its terms and its
 // solution are several nodes of one body.
 
+#include "engine/bodies/table/body_kind.h"
 #include "engine/step/assembly.h"
-#include "engine/table/body_kind.h"
 
 namespace spoke {
 

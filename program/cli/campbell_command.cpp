@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/steady/steady_warnings.h"
+#include "engine/small_motions/steady/steady_warnings.h"
 #include "program/cli/commands.h"
 #include "program/cli/progress.h"
 #include "program/cli/report.h"

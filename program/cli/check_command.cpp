@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "engine/results.h"
-#include "engine/vibration/frequency_limits.h"
+#include "engine/small_motions/vibration/frequency_limits.h"
 #include "models/count_text.h"
 #include "models/error.h"
 #include "models/reader/keys/simulation_keys.h"

@@ -10,9 +10,9 @@
 #include <optional>
 #include <utility>
 
+#include "engine/output/vtk/vtk_series.h"
 #include "engine/results.h"
 #include "engine/run_statistics.h"
-#include "engine/vtk/vtk_series.h"
 #include "models/count_text.h"
 #include "models/error.h"
 #include "program/cli/checkpoints.h"

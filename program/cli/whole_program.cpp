@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
-#include "engine/steady/steady_start.h"
+#include "engine/small_motions/steady/steady_start.h"
+#include "engine/small_motions/vibration/frequency_limits.h"
 #include "engine/support/dense.h"
-#include "engine/vibration/frequency_limits.h"
 #include "models/solid/mesh_check.h"
 #include "models/solid/solid.h"
 #include "models/solid/vibration.h"

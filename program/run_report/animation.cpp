@@ -6,9 +6,9 @@
 #include <array>
 #include <cmath>
 
-#include "engine/scene/deformed.h"
-#include "engine/scene/make_scene.h"
-#include "engine/space/solid_output.h"
+#include "engine/bodies/space/solid_output.h"
+#include "engine/output/scene/deformed.h"
+#include "engine/output/scene/make_scene.h"
 #include "models/space/rotation_vector.h"
 #include "program/run_report/scene_data.h"
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "engine/scene/frame.h"
+#include "engine/output/scene/frame.h"
 
 namespace spoke::run_report {
 

@@ -4,7 +4,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "engine/scene/make_scene.h"
+#include "engine/output/scene/make_scene.h"
 #include "models/count_text.h"
 #include "program/report/model_script.h"
 #include "program/report/page.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/space/solid_output.h"
+#include "engine/bodies/space/solid_output.h"
 #include "models/support/json.h"
 #include "program/run_report/base64.h"
 #include "program/run_report/scene_data.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/space/solid_output.h"
+#include "engine/bodies/space/solid_output.h"
 #include "program/run_report/base64.h"
 
 namespace spoke::run_report {

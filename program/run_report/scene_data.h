@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "engine/scene/scene.h"
+#include "engine/output/scene/scene.h"
 #include "models/support/json.h"
 #include "models/tree/mass_properties.h"
 

@@ -4,7 +4,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "engine/steady/steady_warnings.h"
+#include "engine/small_motions/steady/steady_warnings.h"
 #include "engine/support/csv_cell.h"
 #include "engine/support/plain_zero.h"
 #include "models/support/json.h"

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/steady/steady_warnings.h"
+#include "engine/small_motions/steady/steady_warnings.h"
 #include "engine/support/csv_cell.h"
 #include "engine/support/plain_zero.h"
 #include "models/space/rotation_vector.h"

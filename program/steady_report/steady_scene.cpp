@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/scene/carriers.h"
-#include "engine/scene/make_scene.h"
-#include "engine/space/solid_output.h"
+#include "engine/bodies/space/solid_output.h"
+#include "engine/output/scene/carriers.h"
+#include "engine/output/scene/make_scene.h"
 #include "models/tree/tree.h"
 #include "program/run_report/base64.h"
 #include "program/run_report/scene_data.h"

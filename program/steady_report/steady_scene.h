@@ -6,7 +6,7 @@
 
 #include "engine/equilibrium.h"
 #include "engine/modes.h"
-#include "engine/scene/frame.h"
+#include "engine/output/scene/frame.h"
 #include "models/support/json.h"
 
 namespace spoke::steady_report {

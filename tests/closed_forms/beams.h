@@ -2,7 +2,7 @@
 
 // Roots of characteristic equations, and blades at rest, for the tests of this folder.
 
-#include "engine/plane/natural_frequencies.h"
+#include "engine/bodies/kernels/plane/natural_frequencies.h"
 #include "models/rotor.h"
 
 namespace spoke::test {

@@ -9,8 +9,8 @@
 #include <random>
 #include <vector>
 
-#include "engine/run/time_stepper.h"
 #include "engine/simulation.h"
+#include "engine/step/run/time_stepper.h"
 #include "engine/step/step_graph_builder.h"
 #include "models/plane/beam_elements.h"
 #include "models/system/system.h"

@@ -18,8 +18,8 @@
 #include "engine/results.h"
 #include "engine/simulation.h"
 #include "models/error.h"
+#include "tests/engine/bodies/space/system/models.h"
 #include "tests/engine/load_rotors.h"
-#include "tests/engine/space/system/models.h"
 #include "tests/message_of.h"
 
 using namespace spoke;

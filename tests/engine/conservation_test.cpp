@@ -6,10 +6,10 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/act/user_load/user_loads.h"
-#include "engine/kernels/kinematics.h"
-#include "engine/run/time_stepper.h"
+#include "engine/bodies/act/user_load/user_loads.h"
+#include "engine/bodies/kernels/kinematics.h"
 #include "engine/simulation/sensors.h"
+#include "engine/step/run/time_stepper.h"
 #include "engine/step/step_graph_builder.h"
 #include "tests/engine/lagrangian.h"
 #include "tests/engine/load_rotors.h"

@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "engine/run/time_stepper.h"
+#include "engine/bodies/table/state_values.h"
 #include "engine/simulation.h"
+#include "engine/step/run/time_stepper.h"
 #include "engine/step/step_graph_builder.h"
-#include "engine/table/state_values.h"
 #include "graph/execute/executor_kinds.h"
 #include "graph/tune/plan_candidates.h"
 

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <exception>
 
-#include "engine/act/user_load/user_loads.h"
+#include "engine/bodies/act/user_load/user_loads.h"
 #include "engine/step/step_graph_builder.h"
 #include "graph/declaration_check.h"
 #include "models/error.h"

@@ -10,21 +10,21 @@
 #include <string>
 #include <vector>
 
-#include "engine/run/time_stepper.h"
+#include "engine/bodies/kinds/beam/beam_energies.h"
+#include "engine/bodies/space/joint_terms.h"
+#include "engine/bodies/space/section.h"
+#include "engine/bodies/tree/joint_recovery.h"
 #include "engine/simulation.h"
-#include "engine/space/body_energies.h"
-#include "engine/space/joint_terms.h"
-#include "engine/space/section.h"
+#include "engine/step/run/time_stepper.h"
 #include "engine/step/step_graph_builder.h"
-#include "engine/tree/joint_recovery.h"
+#include "tests/engine/bodies/space/bodies.h"
+#include "tests/engine/bodies/space/hub_table.h"
+#include "tests/engine/bodies/space/random_joint.h"
+#include "tests/engine/bodies/space/system/models.h"
 #include "tests/engine/counted_allocations.h"
 #include "tests/engine/loop_models.h"
 #include "tests/engine/rotors.h"
 #include "tests/engine/solids/solid_models.h"
-#include "tests/engine/space/bodies.h"
-#include "tests/engine/space/hub_table.h"
-#include "tests/engine/space/random_joint.h"
-#include "tests/engine/space/system/models.h"
 #include "tests/models/space/random_space.h"
 
 using namespace spoke;

@@ -2,9 +2,9 @@
 
 #include <numbers>
 
-#include "engine/kernels/hub_motion.h"
-#include "engine/kernels/hub_solve.h"
-#include "engine/kernels/kinematics.h"
+#include "engine/bodies/kernels/hub_motion.h"
+#include "engine/bodies/kernels/hub_solve.h"
+#include "engine/bodies/kernels/kinematics.h"
 #include "engine/step/step_graph_builder.h"
 #include "graph/executor.h"
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <random>
 
-#include "engine/kernels/kinematics.h"
-#include "engine/kernels/samples.h"
-#include "engine/plane/handle_motion.h"
+#include "engine/bodies/kernels/kinematics.h"
+#include "engine/bodies/kernels/plane/handle_motion.h"
+#include "engine/bodies/kernels/samples.h"
 #include "engine/simulation.h"
 #include "tests/approx.h"
 #include "tests/engine/rotors.h"

@@ -10,8 +10,8 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/integrator/generalized_alpha.h"
 #include "engine/simulation.h"
+#include "engine/step/integrator/generalized_alpha.h"
 #include "tests/approx.h"
 #include "tests/engine/rotors.h"
 

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/scene/make_scene.h"
+#include "engine/output/scene/make_scene.h"
 #include "engine/simulation.h"
 #include "models/space/rotation_vector.h"
 #include "models/tree/tree.h"
-#include "tests/engine/scene/shipped.h"
+#include "tests/engine/bodies/space/system/models.h"
+#include "tests/engine/output/scene/shipped.h"
 #include "tests/engine/serial.h"
-#include "tests/engine/space/system/models.h"
 #include "tests/message_of.h"
 
 using namespace spoke;

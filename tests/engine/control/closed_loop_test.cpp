@@ -12,7 +12,7 @@
 
 #include "engine/modes.h"
 #include "engine/simulation.h"
-#include "tests/engine/space/system/models.h"
+#include "tests/engine/bodies/space/system/models.h"
 
 using namespace spoke;
 using doctest::Approx;

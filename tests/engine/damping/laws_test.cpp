@@ -15,9 +15,9 @@
 #include "engine/step/step_graph_builder.h"
 #include "graph/declaration_check.h"
 #include "models/scenario.h"
-#include "tests/engine/space/system/models.h"
-#include "tests/engine/space/system/random_system.h"
-#include "tests/engine/space/system/runs.h"
+#include "tests/engine/bodies/space/system/models.h"
+#include "tests/engine/bodies/space/system/random_system.h"
+#include "tests/engine/bodies/space/system/runs.h"
 #include "tests/engine/step/damaged_graph.h"
 
 using namespace spoke;

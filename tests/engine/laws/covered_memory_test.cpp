@@ -10,12 +10,12 @@
 #include <variant>
 #include <vector>
 
-#include "engine/formulation/work.h"
 #include "engine/step/assembly.h"
+#include "engine/step/formulation/work.h"
 #include "engine/step/step_graph_builder.h"
 #include "models/system/spatial_system.h"
 #include "tests/engine/laws/zoo.h"
-#include "tests/engine/scene/shipped.h"
+#include "tests/engine/output/scene/shipped.h"
 #include "tests/engine/step/damaged_graph.h"
 
 using namespace spoke;

@@ -1,7 +1,7 @@
 // A state that is set back is whole: steps from it are the same bits, whatever
 // else the table held.
 
-#include "engine/table/state_copy.h"
+#include "engine/bodies/table/state_copy.h"
 
 #include <doctest/doctest.h>
 
@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/run/time_stepper.h"
+#include "engine/bodies/table/state_values.h"
+#include "engine/step/run/time_stepper.h"
 #include "engine/step/step_context.h"
-#include "engine/table/state_values.h"
 #include "graph/executor.h"
 #include "models/system/spatial_system.h"
 #include "tests/engine/laws/zoo.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "tests/engine/scene/shipped.h"
+#include "tests/engine/output/scene/shipped.h"
 
 namespace spoke::test {
 namespace {

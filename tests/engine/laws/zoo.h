@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/formulation/formulation.h"
+#include "engine/formulation.h"
 #include "models/scenario.h"
 #include "models/system/spatial_system.h"
 

@@ -4,11 +4,11 @@
 
 #include <random>
 
-#include "engine/kernels/kinematics.h"
-#include "engine/kernels/samples.h"
+#include "engine/bodies/kernels/kinematics.h"
+#include "engine/bodies/kernels/samples.h"
+#include "tests/engine/bodies/space/system/random_model.h"
+#include "tests/engine/bodies/space/system/runs.h"
 #include "tests/engine/loops/mechanisms.h"
-#include "tests/engine/space/system/random_model.h"
-#include "tests/engine/space/system/runs.h"
 
 using namespace spoke;
 using namespace spoke::test;

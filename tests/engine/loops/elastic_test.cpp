@@ -4,13 +4,13 @@
 
 #include <cmath>
 
-#include "engine/kernels/kinematics.h"
-#include "engine/kernels/samples.h"
+#include "engine/bodies/kernels/kinematics.h"
+#include "engine/bodies/kernels/samples.h"
 #include "engine/step/step_graph_builder.h"
 #include "graph/declaration_check.h"
 #include "models/rotor.h"
+#include "tests/engine/bodies/space/system/runs.h"
 #include "tests/engine/loops/mechanisms.h"
-#include "tests/engine/space/system/runs.h"
 #include "tests/engine/step/damaged_graph.h"
 
 using namespace spoke;

@@ -8,7 +8,7 @@
 
 #include "engine/step/step_graph_builder.h"
 #include "graph/executor.h"
-#include "tests/engine/space/system/runs.h"
+#include "tests/engine/bodies/space/system/runs.h"
 
 using namespace spoke;
 using namespace spoke::test;

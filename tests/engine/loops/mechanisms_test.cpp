@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/engine/space/system/runs.h"
+#include "tests/engine/bodies/space/system/runs.h"
 
 using namespace spoke;
 using namespace spoke::test;

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/engine/bodies/space/system/runs.h"
 #include "tests/engine/loops/mechanisms.h"
-#include "tests/engine/space/system/runs.h"
 
 using namespace spoke;
 using namespace spoke::test;

@@ -9,13 +9,13 @@
 #include <numbers>
 #include <utility>
 
-#include "engine/kernels/samples.h"
+#include "engine/bodies/kernels/samples.h"
 #include "engine/simulation.h"
 #include "engine/step/loop_rank.h"
 #include "models/error.h"
 #include "tests/contains.h"
+#include "tests/engine/bodies/space/system/runs.h"
 #include "tests/engine/loops/mechanisms.h"
-#include "tests/engine/space/system/runs.h"
 #include "tests/message_of.h"
 
 using namespace spoke;

@@ -9,9 +9,9 @@
 #include <sstream>
 #include <string>
 
-#include "engine/plane/natural_frequencies.h"
-#include "engine/run/step_runner.h"
+#include "engine/bodies/kernels/plane/natural_frequencies.h"
 #include "engine/simulation.h"
+#include "engine/step/run/step_runner.h"
 #include "models/error.h"
 #include "tests/approx.h"
 #include "tests/engine/rotors.h"

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "engine/bodies/columns/spatial_columns.h"
 #include "engine/checkpoint.h"
-#include "engine/columns/spatial_columns.h"
 #include "engine/simulation.h"
 #include "engine/step/step_graph_builder.h"
 #include "graph/declaration_check.h"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/kernels/deformation_limits.h"
+#include "engine/bodies/kernels/deformation_limits.h"
 #include "engine/simulation.h"
 #include "engine/simulation/node_measurement.h"
 #include "models/error.h"

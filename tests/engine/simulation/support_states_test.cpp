@@ -8,7 +8,7 @@
 #include "engine/checkpoint.h"
 #include "engine/simulation.h"
 #include "models/error.h"
-#include "tests/engine/space/system/models.h"
+#include "tests/engine/bodies/space/system/models.h"
 #include "tests/message_of.h"
 
 using namespace spoke;

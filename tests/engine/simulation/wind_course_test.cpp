@@ -12,7 +12,7 @@
 #include "engine/simulation.h"
 #include "models/error.h"
 #include "tests/contains.h"
-#include "tests/engine/space/system/models.h"
+#include "tests/engine/bodies/space/system/models.h"
 #include "tests/message_of.h"
 
 using namespace spoke;

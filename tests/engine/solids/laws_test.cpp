@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "tests/engine/bodies/space/system/runs.h"
 #include "tests/engine/solids/solid_models.h"
-#include "tests/engine/space/system/runs.h"
 #include "tests/engine/step/step_declarations.h"
 
 using namespace spoke;

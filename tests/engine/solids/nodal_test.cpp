@@ -7,8 +7,8 @@
 
 #include "engine/step/step_graph_builder.h"
 #include "graph/declaration_check.h"
+#include "tests/engine/bodies/space/system/runs.h"
 #include "tests/engine/solids/solid_models.h"
-#include "tests/engine/space/system/runs.h"
 #include "tests/engine/step/damaged_graph.h"
 #include "tests/engine/step/step_declarations.h"
 

@@ -6,8 +6,8 @@
 #include <random>
 #include <string>
 
+#include "tests/engine/bodies/space/system/runs.h"
 #include "tests/engine/solids/solid_models.h"
-#include "tests/engine/space/system/runs.h"
 
 using namespace spoke;
 using namespace spoke::test;

@@ -10,10 +10,10 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/space/table_terms.h"
+#include "engine/bodies/kernels/space/table_terms.h"
 #include "models/solid/assembly.h"
+#include "tests/engine/bodies/space/system/runs.h"
 #include "tests/engine/solids/solid_models.h"
-#include "tests/engine/space/system/runs.h"
 
 using namespace spoke;
 using namespace spoke::test;

@@ -16,9 +16,9 @@
 #include "engine/simulation/simulation_core.h"
 #include "graph/declaration_check.h"
 #include "models/error.h"
+#include "tests/engine/bodies/space/system/models.h"
 #include "tests/engine/loop_models.h"
 #include "tests/engine/solids/solid_models.h"
-#include "tests/engine/space/system/models.h"
 #include "tests/engine/step/thread_exchange.h"
 
 using namespace spoke;

@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-#include "engine/act/user_load/user_loads.h"
+#include "engine/bodies/act/user_load/user_loads.h"
 #include "engine/step/step_graph_builder.h"
 #include "graph/declaration_check.h"
 #include "tests/engine/step/damaged_graph.h"

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <map>
 
-#include "engine/act/user_load/user_loads.h"
-#include "engine/columns/sensor_columns.h"
+#include "engine/bodies/act/user_load/user_loads.h"
+#include "engine/bodies/columns/sensor_columns.h"
 #include "engine/step/pass_integration.h"
 #include "graph/declaration_check.h"
 #include "tests/engine/load_rotors.h"

@@ -4,7 +4,7 @@
 
 #include "models/space/quaternion.h"
 #include "tests/approx.h"
-#include "tests/engine/space/system/models.h"
+#include "tests/engine/bodies/space/system/models.h"
 #include "tests/program/run_report/scenarios.h"
 
 using namespace spoke;

@@ -8,7 +8,7 @@
 #include "program/report/markup.h"
 #include "program/run_report/row_statistics.h"
 #include "tests/approx.h"
-#include "tests/engine/space/system/models.h"
+#include "tests/engine/bodies/space/system/models.h"
 #include "tests/program/run_report/scenarios.h"
 
 using namespace spoke;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/engine/space/system/models.h"
+#include "tests/engine/bodies/space/system/models.h"
 #include "tests/program/run_report/scenarios.h"
 
 using namespace spoke;

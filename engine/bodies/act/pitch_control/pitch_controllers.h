@@ -1,0 +1,36 @@
+#pragma once
+
+// The controllers of pitch joints as an actor: when they take samples, and of what speed. Their law
+// is engine/bodies/kernels/pitch_control.h.
+
+#include "engine/bodies/table/step_data.h"
+
+namespace spoke {
+
+/// Each subsystem has states of its controllers of its own (SubsystemData::controls).
+class PitchControllers final : public Actor<Space> {
+ public:
+  /// Puts the controllers of all subsystems on the table, at their start. System and table must
+  /// outlive it.
+  PitchControllers(const System<Space>& system, StepData<Space>& data);
+
+  static bool acts(const System<Space>& system);
+
+  Stage stage() const override { return {"control", StageRole::given}; }
+  /// In the first pass of a step the node reads the speed of the hub as the last step has left it:
+  /// it stands before all nodes that change the hub's motion.
+  void add_nodes(const PassNodes& pass, PassPlace place, int i) const override;
+  void list_courses(int i, PartList& parts) const override;
+  void list_shown(int i, PartList& parts) const override { list_courses(i, parts); }
+
+ private:
+  PartList speed_inputs(int i) const;
+  double hub_speed(std::size_t i, double t) const;
+  void take_samples(std::size_t i, double h) const noexcept;
+
+  const System<Space>& system_;
+  StepData<Space>& data_;
+  std::vector<graph::PartId> parts_;  ///< by subsystem; invalid: none
+};
+
+}  // namespace spoke

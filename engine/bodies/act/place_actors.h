@@ -1,0 +1,14 @@
+#pragma once
+
+// The actors that a scenario has.
+
+#include "engine/bodies/table/step_data.h"
+
+namespace spoke {
+
+/// Puts the actors of a system on its table, which is allocated. Bodies sum up wrenches in this
+/// order.
+void place_actors(const System<Plane>& system, StepData<Plane>& data);
+void place_actors(const System<Space>& system, StepData<Space>& data);
+
+}  // namespace spoke

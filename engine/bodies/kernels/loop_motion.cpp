@@ -1,0 +1,198 @@
+// Goes through the loops of a subsystem, row by row.
+
+#include "engine/bodies/kernels/loop_motion.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "engine/bodies/kernels/kinematics.h"
+
+namespace spoke {
+namespace {
+
+Twist to_world(const space::Twist& twist, const Plane&) { return {twist[0], twist[1], twist[5]}; }
+const space::Twist& to_world(const space::Twist& twist, const Space&) { return twist; }
+
+/// A place with what its rows need: its motion, and what carries it.
+struct Place {
+  PlaceMotion motion;
+  LoopHandle handle;     ///< if a body carries it
+  CarriedPlace carried;  ///< else
+};
+
+template <class World>
+Place find_place(const System<World>& system, const LoopPlaceModel& model, double t,
+                 const SubsystemData<World>& data) {
+  Place place;
+  if (model.carrier != LoopPlace::Carrier::body) {
+    place.carried = calc_carried_place(system, *data.hub, model, t);
+    place.motion = place.carried.motion;
+    return place;
+  }
+  place.handle = calc_loop_handle(data, model.body, model.handle);
+  const space::Position r = place.handle.R * model.offset.p;
+  place.motion.p = place.handle.p + r;
+  place.motion.R = place.handle.R * model.offset.R;
+  place.motion.twist = place.handle.twist;
+  linear(place.motion.twist) += cross(angular(place.handle.twist), r);
+  return place;
+}
+
+/// Returns the acceleration of a place against its handle, as it turns with the section.
+space::Position centripetal_of(const Place& place) {
+  const space::Angular w = angular(place.handle.twist);
+  return cross(w, cross(w, space::Position(place.motion.p - place.handle.p)));
+}
+
+/// Sets the wrenches of a row's unit force on bodies and hub. Returns the part of the row's
+/// relative acceleration that is known, since what carries `to` is prescribed.
+template <class World>
+double set_unit_force(const LoopModel& loop, const space::Twist& unit, const Place& from,
+                      const Place& to, const SubsystemData<World>& data,
+                      LoopRowState<World>& state) {
+  const space::Position& p = from.motion.p;
+  state.from =
+      turn_to_body(data, loop.from.body, translate(space::Position(p - from.handle.p), unit));
+  state.to.setZero();
+  state.hub.setZero();
+  state.given_rate = 0.0;
+  const double of_from = linear(unit).dot(centripetal_of(from));
+  if (loop.to.carrier == LoopPlace::Carrier::body) {
+    state.to = -turn_to_body(data, loop.to.body, translate(space::Position(p - to.handle.p), unit));
+    return of_from - linear(unit).dot(centripetal_of(to));
+  }
+  const space::Twist on_place = -translate(space::Position(p - to.motion.p), unit);
+  double known = of_from + on_place.dot(to.carried.acceleration);
+  if (to.carried.is_on_hub) {
+    state.hub = to_world(-translate(p, unit), World{});
+  } else if (!to.carried.pivot.isZero(0.0)) {
+    const space::Twist about_pivot = -translate(space::Position(p - to.carried.pivot_place), unit);
+    state.hub[World::kAxial] = to.carried.pivot.dot(angular(about_pivot));
+    known -= state.hub[World::kAxial] * to.carried.mount_spin_up;
+  }
+  state.given_rate = on_place.dot(to.motion.twist) - state.hub.dot(data.hub->twist);
+  return known;
+}
+
+/// Sets what the row's springs or its closure ask for. `known`: see set_unit_force(); `kinematic`:
+/// the relative acceleration of bodies and hub by the last iterate.
+template <class World>
+void set_target(const LoopRow& row, LoopRowUse use, const RowMotion& motion,
+                const ClosureGains& gains, double known, double kinematic,
+                LoopRowState<World>& state) {
+  state.opening = motion.opening;
+  state.rate = motion.rate;
+  state.compliance = state.force = 0.0;
+  const bool is_implicit = gains.position > 0.0;
+  if (use == LoopRowUse::sprung) {
+    const double force = -row.stiffness * motion.opening - row.damping * motion.rate;
+    if (!is_implicit) {
+      state.force = force;
+      state.target = 0.0;
+      return;
+    }
+    state.compliance = 1.0 / (gains.position * row.stiffness + gains.velocity * row.damping);
+    state.target = kinematic + state.compliance * force;
+    return;
+  }
+  state.target =
+      is_implicit && !gains.stays
+          ? kinematic - motion.opening / gains.position
+          : -motion.convective - known - gains.opening * motion.opening - gains.rate * motion.rate;
+}
+
+/// Accelerations by the last iterate, of the handles in their bodies' frames; zero where no body
+/// carries the place, and in explicit passes.
+template <class World>
+struct LoopAccelerations {
+  TwistOf<World> from = TwistOf<World>::Zero(), to = from, hub = from;
+};
+
+template <class World>
+void calc_row(const Subsystem<World>& subsystem, std::size_t loop, int row, const Place& from,
+              const Place& to, const ClosureGains& gains, const LoopAccelerations<World>& last,
+              SubsystemData<World>& data) {
+  const LoopModel& model = subsystem.loops[loop];
+  LoopData<World>& loops = data.loops;
+  const LoopRow& constants = model.rows[static_cast<std::size_t>(row)];
+  const auto at = static_cast<std::size_t>(loops.paths[loop].first_row + row);
+  LoopRowState<World>& state = loops.states[at];
+  const RowMotion motion = calc_loop_row(constants, from.motion, to.motion);
+  const double known = set_unit_force(model, motion.unit, from, to, data, state);
+  const double kinematic =
+      state.from.dot(last.from) + state.hub.dot(last.hub) + state.to.dot(last.to);
+  set_target(constants, loops.use[at], motion, gains, known, kinematic, state);
+}
+
+}  // namespace
+
+template <class World>
+PlaceMotion calc_place_motion(const System<World>& system, std::size_t i,
+                              const LoopPlaceModel& place, double t, const StepData<World>& data) {
+  assert(i < data.subsystems.size());
+  return find_place(system, place, t, data.subsystems[i]).motion;
+}
+
+template <class World>
+void calc_loop_motion(const System<World>& system, std::size_t i, double t,
+                      const ClosureGains& gains, StepData<World>& table) noexcept {
+  assert(i < table.subsystems.size());
+  const Subsystem<World>& subsystem = system.subsystems[i];
+  SubsystemData<World>& data = table.subsystems[i];
+  calc_poses(subsystem, data, data.loops.poses);
+  const bool is_implicit = gains.position > 0.0;
+  LoopAccelerations<World> last;
+  if (is_implicit) {
+    last.hub = calc_loop_hub_acceleration(system, i, t, table);
+    calc_loop_accelerations(subsystem, last.hub, data);
+  }
+  for (std::size_t k = 0; k < subsystem.loops.size(); ++k) {
+    const LoopModel& loop = subsystem.loops[k];
+    const Place from = find_place(system, loop.from, t, data);
+    const Place to = find_place(system, loop.to, t, data);
+    if (is_implicit) {
+      last.from = calc_loop_acceleration(data, loop.from.body, loop.from.handle);
+      last.to.setZero();
+      if (loop.to.carrier == LoopPlace::Carrier::body)
+        last.to = calc_loop_acceleration(data, loop.to.body, loop.to.handle);
+    }
+    for (int row = 0; row < static_cast<int>(loop.rows.size()); ++row)
+      calc_row(subsystem, k, row, from, to, gains, last, data);
+  }
+}
+
+template <class World>
+void update_loops(const System<World>& system, std::size_t i, double t,
+                  StepData<World>& table) noexcept {
+  assert(i < table.subsystems.size());
+  if (!table.subsystems[i].loops.is_empty()) calc_loop_motion(system, i, t, {}, table);
+}
+
+template <class World>
+double calc_closure_energy(const Subsystem<World>& subsystem,
+                           const LoopData<World>& loops) noexcept {
+  double energy = 0.0;
+  std::size_t r = 0;
+  for (const LoopModel& loop : subsystem.loops)
+    for (const LoopRow& row : loop.rows) {
+      const double opening = loops.states[r++].opening;
+      energy += 0.5 * row.stiffness * opening * opening;
+    }
+  return energy;
+}
+
+template PlaceMotion calc_place_motion(const System<Plane>&, std::size_t, const LoopPlaceModel&,
+                                       double, const StepData<Plane>&);
+template void calc_loop_motion(const System<Plane>&, std::size_t, double, const ClosureGains&,
+                               StepData<Plane>&) noexcept;
+template void update_loops(const System<Plane>&, std::size_t, double, StepData<Plane>&) noexcept;
+template double calc_closure_energy(const Subsystem<Plane>&, const LoopData<Plane>&) noexcept;
+template PlaceMotion calc_place_motion(const System<Space>&, std::size_t, const LoopPlaceModel&,
+                                       double, const StepData<Space>&);
+template void calc_loop_motion(const System<Space>&, std::size_t, double, const ClosureGains&,
+                               StepData<Space>&) noexcept;
+template void update_loops(const System<Space>&, std::size_t, double, StepData<Space>&) noexcept;
+template double calc_closure_energy(const Subsystem<Space>&, const LoopData<Space>&) noexcept;
+
+}  // namespace spoke

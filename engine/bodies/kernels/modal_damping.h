@@ -1,0 +1,28 @@
+#pragma once
+
+// Damping of beams by their modes (docs/formulation.md, section 10): forces -w f_k (w.q') on the
+// coordinates of all bodies of a beam, f_k and w of models/system/beam_modes.h. They are small
+// beside the stiffness, and the iteration of implicit steps follows them.
+
+#include <vector>
+
+#include "engine/bodies/table/step_data.h"
+
+namespace spoke {
+
+/// Sets SubsystemData::modal_forces from the velocities of all bodies.
+template <class World>
+void calc_modal_forces(const Subsystem<World>& subsystem, SubsystemData<World>& data) noexcept;
+
+/// Adds what they do to the right-hand side of a body, whose terms are set, and to its dissipation.
+template <class World>
+void add_modal_damping(const ArenaVector<double>& modal_forces, BodyData<World>& body) noexcept;
+
+/// Returns the deformation (flex vector) of which the elastic forces are those of the damping by
+/// modes at the velocities in the table; empty if the body has none.
+template <class World>
+std::vector<double> calc_modal_deformation(const Subsystem<World>& subsystem,
+                                           const SubsystemData<World>& data,
+                                           const BodyData<World>& body);
+
+}  // namespace spoke

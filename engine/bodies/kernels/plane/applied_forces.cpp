@@ -1,0 +1,23 @@
+// Sums the forces that are applied to the bodies of a chain, from the tip to the root.
+
+#include "engine/bodies/kernels/applied_forces.h"
+
+#include "engine/bodies/kernels/plane/section_loads.h"
+
+namespace spoke {
+
+void calc_applied_forces(const System<Plane>&, std::size_t i, double t,
+                         StepData<Plane>& table) noexcept {
+  SubsystemData<Plane>& data = table.subsystems[i];
+  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
+    Position& sum = data.applied_forces[j];
+    sum.setZero();
+    plane::visit_forces(t, static_cast<int>(j), data,
+                        [&sum](const plane::Section&, const Position& force) { sum += force; });
+  }
+  for (std::size_t j = data.bodies.size() - 1; j > 0; --j)
+    data.applied_forces[j - 1] += data.applied_forces[j];
+  data.applied_forces.back() = data.applied_forces.front();
+}
+
+}  // namespace spoke

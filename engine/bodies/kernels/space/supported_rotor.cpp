@@ -1,0 +1,106 @@
+// Carries motion from a support to its rotor's hub, and inertia back.
+
+#include "engine/bodies/kernels/space/supported_rotor.h"
+
+#include <cassert>
+
+#include "engine/bodies/kernels/kinematics.h"
+#include "engine/bodies/kernels/marker_motion.h"
+#include "engine/bodies/kernels/samples.h"
+#include "engine/bodies/kernels/space/relative_motion.h"
+#include "engine/bodies/kernels/space/table_terms.h"
+#include "models/system/spatial_system.h"
+
+namespace spoke {
+namespace {
+
+/// Returns the turn of a hub about the axle that carries it.
+DriveMotion calc_turn(const BodyData<Space>& hub) {
+  const space::JointData& axle = hub.joint;
+  if (hub.model->joint.joint.driven == 0)
+    return {axle.coordinates.q[0], axle.coordinates.v[0], axle.coordinates.a[0]};
+  return {axle.driven[0].value, axle.driven[0].rate, axle.driven[0].acceleration};
+}
+
+}  // namespace
+
+void place_rotor(const System<Space>& system, std::size_t r, double t, bool is_implicit,
+                 StepData<Space>& data) noexcept {
+  assert(r < system.rotors.size() && r < data.rotors.size());
+  const SupportedRotor& model = system.rotors[r];
+  const auto i = static_cast<std::size_t>(model.subsystem);
+  const auto j = static_cast<std::size_t>(model.body);
+  const SubsystemData<Space>& support = data.subsystems[i];
+  RotorData<Space>& rotor = data.rotors[r];
+  const HubState<Space>& base = *support.hub;
+  const space::Pose pose = calc_pose_in_hub(system.subsystems[i], support, model.body);
+  rotor.hub = {base.p + base.R * pose.p, base.R * pose.R, support.twists[j]};
+  rotor.turn = calc_turn(support.bodies[j]);
+  if (is_implicit || model.is_moved)
+    rotor.acceleration = calc_frame_acceleration(
+        system.subsystems[i], support, calc_hub_acceleration(system, i, data, t), rotor.path);
+}
+
+void sum_rotor(const System<Space>& system, std::size_t r, bool is_condensed,
+               StepData<Space>& data) noexcept {
+  assert(r < system.rotors.size() && r < data.rotors.size());
+  const SupportedRotor& model = system.rotors[r];
+  const auto i = static_cast<std::size_t>(model.subsystem);
+  RotorData<Space>& rotor = data.rotors[r];
+  const BodyData<Space>& hub = data.subsystems[i].bodies[static_cast<std::size_t>(model.body)];
+  space::TwistMatrix mass = hub.blocks[0]->rigid->mass.matrix();
+  space::Twist force = space::Twist::Zero();
+  space::HubStiffening stiffening;
+  for (std::size_t k = 0; k < system.subsystems.size(); ++k) {
+    if (system.subsystems[k].rotor != static_cast<int>(r)) continue;
+    const SubsystemData<Space>& subsystem = data.subsystems[k];
+    if (is_condensed) {
+      mass += subsystem.effective.mass;
+      force += subsystem.effective.force;
+      stiffening += subsystem.effective.stiffening;
+    } else {
+      for (const BodyData<Space>& body : subsystem.bodies) stiffening += body.terms.stiffening;
+    }
+  }
+  rotary(mass) -= stiffening.inertia;
+  angular(force) += calc_stiffening_moment(stiffening, angular(rotor.hub.twist));
+  rotor.carried.mass = {0.5 * (mass + mass.transpose())};
+  rotor.carried.force = force;
+  if (is_condensed) rotor.carried.inverse = invert(rotor.carried.mass);
+}
+
+void update_rotors(const System<Space>& system, double t, StepData<Space>& data) noexcept {
+  for (std::size_t r = 0; r < system.rotors.size(); ++r) {
+    const auto i = static_cast<std::size_t>(system.rotors[r].subsystem);
+    prescribe_joints(system, t, i, data);
+    update_kinematics(system.subsystems[i], data.subsystems[i]);
+    place_rotor(system, r, t, true, data);
+  }
+}
+
+const HubState<Space>& shown_hub(const StepData<Space>& data) noexcept {
+  return data.rotors.empty() ? data.hub : data.rotors.front().hub;
+}
+
+void record_rotor(const System<Space>& system, double t, const StepData<Space>& data,
+                  SystemRecord<Space>& record) noexcept {
+  if (system.rotors.empty()) return;
+  const SupportedRotor& model = system.rotors[0];
+  const RotorData<Space>& rotor = data.rotors[0];
+  const space::Angular w = angular(rotor.hub.twist);
+  RotorRecord<Space>& made = record.rotor;
+  made.position = space::make_twist(rotor.hub.p, space::Angular(0.0, 0.0, rotor.turn.angle));
+  made.velocity = space::make_twist(rotor.hub.R * space::Position(linear(rotor.hub.twist)),
+                                    space::Angular(w.x(), w.y(), rotor.turn.speed));
+  made.rotation = {rotor.hub.R, w.z() - rotor.turn.speed};
+  made.reaction = data.subsystems[static_cast<std::size_t>(model.subsystem)]
+                      .wrenches[static_cast<std::size_t>(model.body)]
+                      .inboard;
+  made.applied_torque = 0.0;
+  const Drive& drive = drive_of(system);
+  if (prescribes_motion(drive)) return;
+  made.reaction[Space::kAxial] = 0.0;
+  made.applied_torque = calc_torque(drive, t, rotor.turn.speed);
+}
+
+}  // namespace spoke

@@ -1,0 +1,160 @@
+// Places joints where they stand before a model is simulated.
+
+#include "engine/output/scene/carriers.h"
+#include "engine/output/scene/frame.h"
+#include "models/space/mount.h"
+#include "models/space/rotation_vector.h"
+#include "models/tree/tree.h"
+
+namespace spoke::scene {
+namespace {
+
+using spatial::Joint;
+using spatial::JointCoordinate;
+using spatial::JointKind;
+using spatial::Placement;
+using spatial::Tree;
+
+double initial_value(const JointCoordinate& coordinate, double azimuth) {
+  if (!coordinate.motion) return coordinate.initial;
+  if (const auto* table = std::get_if<spatial::MotionTable>(&*coordinate.motion))
+    return table->value.value(0.0);
+  if (const auto* wave = std::get_if<spatial::AzimuthMotion>(&*coordinate.motion))
+    return wave->mean + wave->cosine * std::cos(azimuth) + wave->sine * std::sin(azimuth);
+  return std::get<spatial::ProgramMotion>(*coordinate.motion).initial;
+}
+
+Placement turned(const Vector& axis, double angle) {
+  return {Vector::Zero(), space::exponential(angle * axis.normalized()).axes};
+}
+
+/// Returns the motion of the frame of the child against that of the joint.
+Placement calc_motion(const Joint& joint, double azimuth) {
+  Eigen::Matrix<double, 6, 1> value = Eigen::Matrix<double, 6, 1>::Zero();
+  for (int c = 0; c < count_coordinates(joint.kind); ++c)
+    value[c] = initial_value(joint.coordinates[static_cast<std::size_t>(c)], azimuth);
+  const Vector &first = joint.axes[0], &second = joint.axes[1];
+  switch (joint.kind) {
+    case JointKind::fixed:
+      break;
+    case JointKind::revolute:
+      return turned(first, value[0]);
+    case JointKind::universal:
+      return turned(first, value[0]) * turned(second, value[1]);
+    case JointKind::spherical:
+      return {Vector::Zero(), space::exponential(value.head<3>()).axes};
+    case JointKind::prismatic:
+      return {value[0] * first.normalized(), spatial::Tensor::Identity()};
+    case JointKind::cylindrical:
+      return turned(first, value[0]) *
+             Placement{value[1] * first.normalized(), spatial::Tensor::Identity()};
+    case JointKind::bushing:
+      return Placement{value.head<3>(), spatial::Tensor::Identity()} *
+             turned(Vector::UnitX(), value[3]) * turned(Vector::UnitY(), value[4]) *
+             turned(Vector::UnitZ(), value[5]);
+  }
+  return {};
+}
+
+Placement inverse(const Placement& placement) {
+  const spatial::Tensor back = placement.rotation.transpose();
+  return {-(back * placement.position), back};
+}
+
+/// Returns the motions of the bodies of a tree in the frame of what carries it, each from its place
+/// at coordinates of zero.
+std::vector<Placement> calc_motions(const Tree& tree) {
+  const std::vector<Placement> places = calc_placements(tree);
+  std::vector<Placement> motions;
+  for (std::size_t j = 0; j < tree.bodies.size(); ++j) {
+    const spatial::TreeBody& body = tree.bodies[j];
+    const Placement before =
+        body.parent < 0 ? Placement{} : motions[static_cast<std::size_t>(body.parent)];
+    motions.push_back(before * places[j] * calc_motion(body.joint, tree.azimuth) *
+                      inverse(places[j]));
+  }
+  return motions;
+}
+
+/// Adds the motions of the groups of a subsystem, the first of which is `next`.
+/// `base`: motion of what carries the subsystem.
+void add_motions(const Tree& tree, const Placement& base, std::vector<Placement>& groups,
+                 std::size_t& next) {
+  const std::vector<Placement> motions = calc_motions(tree);
+  for (std::size_t j = 0; j < tree.bodies.size(); ++j)
+    if (count_coordinates(tree.bodies[j].joint.kind) > 0 && !tree.bodies[j].is_hub)
+      groups[next++] = base * motions[j];
+}
+
+/// Returns the pose of the hub, which its mount may have moved.
+HubPose calc_start(const spatial::Hub& hub) {
+  space::Hub at_rest;
+  at_rest.mount = hub.mount;
+  const space::AxleMotion start = calc_axle_motion(at_rest, 0.0);
+  return {start.p, start.R.axes};
+}
+
+/// Returns the pose of what a support stands on.
+Placement calc_base(const spatial::Model& model) {
+  if (!model.support) return {};
+  if (model.support->from == spatial::SupportBase::ground) {
+    const HubPose start = calc_start(model.hub);
+    return {start.position, start.rotation};
+  }
+  const spatial::Fuselage& fuselage = model.support->fuselage;
+  return {fuselage.position, space::exponential(fuselage.attitude).axes};
+}
+
+/// Returns the pose of a hub on a support, whose joints stand where they start.
+HubPose find_supported_hub(const spatial::Model& model, const Placement& base, const Tree& tree) {
+  const Placement hub = base * calc_motions(tree).back() * calc_placements(tree).back() *
+                        inverse(rotor_placement(model.hub));
+  return {hub.position, hub.rotation};
+}
+
+/// Places the groups of mount and anchors. `mount`: the mount in the frame of the hub at its first
+/// angle.
+void place_carriers(const std::vector<Anchor>& anchors, const Placement& mount, const Scene& scene,
+                    Frame& frame) {
+  for (const Carrier& carrier : scene.carriers) {
+    Placement& group = frame.groups[static_cast<std::size_t>(carrier.group)];
+    group = mount;
+    if (carrier.anchor < 0) continue;
+    const Anchor& anchor = anchors[static_cast<std::size_t>(carrier.anchor)];
+    group = (anchor.frame == Anchor::Frame::hub ? Placement{} : mount) * calc_first_place(anchor);
+  }
+}
+
+}  // namespace
+
+Frame make_first_frame(const Scenario& scenario, const Scene& scene) {
+  Frame frame;
+  frame.groups.resize(static_cast<std::size_t>(scene.groups));
+  frame.displacements.assign(scene.nodes.size(), Vector::Zero());
+  frame.rotations = frame.displacements;
+  if (!scenario.space) {
+    place_carriers(scenario.rotor.anchors, {}, scene, frame);
+    return frame;
+  }
+  const std::vector<Tree> trees = build_trees(*scenario.space);
+  Placement base = calc_base(*scenario.space);
+  if (scenario.space->support) {
+    frame.hub = find_supported_hub(*scenario.space, base, trees.back());
+    base = inverse({frame.hub.position, frame.hub.rotation}) * base;
+  } else {
+    frame.hub = calc_start(scenario.space->hub);
+  }
+  place_carriers(scenario.space->anchors, base, scene, frame);
+  std::size_t next = 1 + scene.carriers.size();
+  for (std::size_t i = 0; i < trees.size(); ++i) {
+    Placement carrier;
+    if (static_cast<int>(i) == scene.support) {
+      carrier = base;
+      frame.groups[next++] = carrier;
+    }
+    add_motions(trees[i], carrier, frame.groups, next);
+  }
+  return frame;
+}
+
+}  // namespace spoke::scene

@@ -1,0 +1,100 @@
+// Reads tips, joints, loads and nodes of the subsystems.
+
+#include "engine/small_motions/steady/describe_equilibrium.h"
+
+#include <cassert>
+
+#include "engine/small_motions/steady/supported_model.h"
+#include "engine/support/plain_zero.h"
+#include "models/space/rotation_vector.h"
+
+namespace spoke::steady {
+namespace {
+
+void evaluate(std::size_t subsystem, const Eigen::VectorXd& q, SteadyModel& model) {
+  SubsystemResponse response;
+  model.evaluate(subsystem, make_state(q), model.no_offset(), response);
+}
+
+BladeEquilibrium describe_subsystem(std::size_t subsystem, const Equilibrium& found,
+                                    SteadyModel& model) {
+  const Eigen::VectorXd& q = found.q[subsystem];
+  BladeEquilibrium described;
+  described.name = model.name_of(subsystem);
+  const std::vector<SubsystemCoordinate>& coordinates = model.coordinates(subsystem);
+  Eigen::VectorXd rigid = q;  // joints as they are, bodies undeformed
+  const Eigen::VectorXd shown = model.absolute(subsystem, q);
+  for (Eigen::Index k = 0; k < q.size(); ++k) {
+    const SubsystemCoordinate& coordinate = coordinates[static_cast<std::size_t>(k)];
+    if (coordinate.node >= 0)
+      rigid[k] = 0.0;
+    else
+      described.joints.push_back({coordinate.name, shown[k], coordinate.turns});
+  }
+  evaluate(subsystem, rigid, model);
+  for (const NodePlace& place : model.places(subsystem)) {
+    described.bodies.push_back(place.body);
+    described.undeformed.push_back(place.p);
+    described.undeformed_axes.push_back(place.axes);
+  }
+  described.solids = model.solids(subsystem);
+  for (SolidDeformation& solid : described.solids)
+    solid.coordinates = find_deformation(coordinates, solid.body, q);
+  evaluate(subsystem, q, model);
+  for (const NodePlace& place : model.places(subsystem)) {
+    const Eigen::Matrix3d& before = described.undeformed_axes[described.nodes.size()];
+    described.nodes.push_back(place.p);
+    described.rotations.emplace_back(
+        space::logarithm(space::Rotation{place.axes * before.transpose()}));
+  }
+  model.accelerations(subsystem);
+  const TipMotion tip = model.tip(subsystem);
+  described.tip_displacement = tip.displacement;
+  described.tip_rotation = tip.rotation;
+  described.bending = model.bending(subsystem);
+  if (const std::optional<SubsystemAir> air = model.air(subsystem))
+    for (std::size_t k = 0; k < air->stations.size(); ++k) {
+      const air::StationAir& s = air->stations[k];
+      described.air.push_back({air->places[k], s.attack, s.relative_speed, s.axial_induction,
+                               s.tangential_induction, s.lift, s.drag, s.moment, s.axial_force,
+                               s.tangential_force, s.pitching_moment});
+    }
+  for (const RootLoad& load : model.root_loads(subsystem))
+    described.loads.push_back({load.body, load.station, load.force, load.moment});
+  described.loops = model.loop_loads(subsystem, found.multipliers[subsystem]);
+  return described;
+}
+
+}  // namespace
+
+EquilibriumResult describe(const Equilibrium& found, SteadyModel& model) {
+  assert(found.q.size() == model.subsystems());
+  EquilibriumResult result;
+  result.speed = plain_zero(model.speed());
+  result.iterations = found.iterations;
+  result.load_steps = found.load_steps;
+  result.last_change = found.last_change;
+  if (model.is_spatial()) {
+    result.hub_force = found.wrench.head<3>();
+    result.hub_moment = found.wrench.tail<3>();
+  } else {
+    result.hub_force.head<2>() = found.wrench.head<2>();
+    result.hub_moment.z() = found.wrench[2];
+  }
+  for (std::size_t i = 0; i < model.subsystems(); ++i) {
+    result.blades.push_back(describe_subsystem(i, found, model));
+    const std::optional<SubsystemAir> air = model.air(i);
+    if (!air) continue;
+    if (!result.air) result.air.emplace();
+    result.air->wind = air->wind;
+    result.air->thrust += air->thrust;
+    result.air->torque += air->torque;
+  }
+  if (const SupportedModel* machine = model.on_support()) {
+    const NodePlace hub = machine->hub_place();
+    result.hub = HubPlace{hub.p, hub.axes};
+  }
+  return result;
+}
+
+}  // namespace spoke::steady

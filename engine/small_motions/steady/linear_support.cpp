@@ -1,0 +1,162 @@
+// Linearises a support under the mean wrench of its rotor.
+
+#include "engine/small_motions/steady/linear_support.h"
+
+#include <cassert>
+#include <utility>
+
+#include "engine/small_motions/steady/differences.h"
+
+namespace spoke::steady {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+/// Returns the stiffness of loads across the axis that turn against the rotor, which its own
+/// matrices do not have: their moment about the hub goes with their places.
+MatrixXd calc_dead_stiffness(const Equilibrium& rotor, const SupportedModel& model) {
+  constexpr double kTurn = 1e-4;
+  MatrixXd K = MatrixXd::Zero(6, 6);
+  if (!model.parts().averages) return K;
+  const auto wrench = [&](Index c, double angle) {
+    const HubVector turn = angle * HubVector::Unit(6, c);
+    return HubVector(model.mean_wrench(rotor, turn, DeadLoads::all) -
+                     model.mean_wrench(rotor, turn, DeadLoads::steady));
+  };
+  for (Index c = 3; c < 6; ++c) K.col(c) = (wrench(c, -kTurn) - wrench(c, kTurn)) / (2.0 * kTurn);
+  return K;
+}
+
+/// The entries of z, in their order.
+struct Layout {
+  Index base, own, all;
+
+  Layout(const LinearModel& support, bool turns_freely)
+      : base(support.M.rows()),
+        own(support.subsystem(0).M.rows()),
+        all(base + own + (turns_freely ? 1 : 0)) {}
+  bool has_axle() const { return all > base + own; }
+};
+
+/// Returns one of the matrices of base and support.
+MatrixXd assemble(const Layout& z, const MatrixXd& base, const MatrixXd& bh, const MatrixXd& hb,
+                  const MatrixXd& own) {
+  MatrixXd all = MatrixXd::Zero(z.all, z.all);
+  all.block(z.base, z.base, z.own, z.own) = own;
+  if (z.base == 0) return all;
+  all.topLeftCorner(z.base, z.base) = base;
+  all.block(z.base, 0, z.own, z.base) = bh;
+  all.block(0, z.base, z.base, z.own) = hb;
+  return all;
+}
+
+void set_matrices(const Layout& z, const LinearModel& linear, LinearSupport& support) {
+  const LinearSubsystem& own = linear.subsystem(0);
+  const HubCoupling by = z.base > 0 ? linear.couplings[0] : HubCoupling{};
+  support.M = assemble(z, linear.M, by.M_bh, by.M_hb, own.M);
+  support.C = assemble(z, linear.C, by.C_bh, by.C_hb, own.C);
+  support.K = assemble(z, linear.K, by.K_bh, by.K_hb, own.K);
+  support.step = Eigen::VectorXd::Constant(z.all, kStep);
+  support.step.segment(z.base, z.own) = own.round_off.step;
+}
+
+/// Sets how z moves the coordinates of the support, and the hub.
+void set_motions(const Layout& z, const LinearModel& linear, SteadyModel& model,
+                 LinearSupport& support) {
+  const MatrixXd& Z = linear.subsystem(0).basis;
+  const Index n = std::ssize(model.coordinates(0));
+  support.motion = MatrixXd::Zero(n, z.all);
+  support.motion.middleCols(z.base, z.own) = Z.rows() > 0 ? Z : MatrixXd::Identity(n, n);
+  if (z.base > 0 && linear.couplings[0].following.size() > 0)
+    support.motion.leftCols(z.base) = linear.couplings[0].following;
+  const int hub = static_cast<int>(std::ssize(model.body_names(0))) - 1;
+  const MatrixXd twists = model.twists(0, hub);
+  support.base = MatrixXd::Zero(6, z.all);
+  support.base.leftCols(z.base).setIdentity();
+  support.J = twists.rightCols(n) * support.motion + twists.leftCols(6) * support.base;
+  if (z.has_axle()) support.J(5, z.all - 1) = 1.0;
+}
+
+/// Adds the angle of a rotor that turns freely about its axle. A torque of slope `slope` acts
+/// between hub and carrier, so that it does work on that angle alone. The rotor's moment on its hub
+/// stands while the axle tilts.
+void add_axle(const Layout& z, const Eigen::Vector3d& moment, double slope,
+              LinearSupport& support) {
+  if (!z.has_axle()) return;
+  const Index axle = z.all - 1;
+  support.C(axle, axle) -= slope;
+  const Eigen::Vector3d tilting(-moment.y(), moment.x(), 0.0);  // axis x moment
+  support.K.row(axle) -= tilting.transpose() * support.J.bottomRows(3);
+}
+
+void name_entries(const Layout& z, const LinearModel& linear, const SteadyModel& model,
+                  LinearSupport& support) {
+  static constexpr const char* kBase[] = {"x", "y", "z", "rotation x", "rotation y", "rotation z"};
+  const auto add = [&support](const std::string& of, const std::string& name, bool turns) {
+    support.of.push_back(of);
+    support.names.push_back(name);
+    support.turns.push_back(turns);
+  };
+  for (Index c = 0; c < z.base; ++c) add("fuselage", std::string("fuselage / ") + kBase[c], c >= 3);
+  for (const Index k : linear.subsystem(0).independent) {
+    const SubsystemCoordinate& own = model.coordinates(0)[static_cast<std::size_t>(k)];
+    const std::string& body = model.body_names(0)[static_cast<std::size_t>(own.body)];
+    const std::string beam = body.substr(0, body.find(" / "));  // its parts go together
+    add(own.node < 0 ? own.joint : beam, model.name_of(0) + " / " + own.name, own.turns);
+  }
+  if (z.has_axle()) add("axle", model.name_of(0) + " / axle", true);
+}
+
+/// Adds the support as a subsystem that follows the hub's coordinates.
+void add_subsystem(const LinearSupport& support, LinearModel& all) {
+  LinearSubsystem& own = all.subsystems.emplace_back();
+  own.M = own.C = own.K = MatrixXd::Zero(0, 0);
+  own.basis = MatrixXd::Zero(support.motion.rows(), 0);
+  all.alike.push_back(all.alike.size());
+  const MatrixXd columns = MatrixXd::Zero(0, 6), rows = MatrixXd::Zero(6, 0);
+  all.couplings.push_back({columns, columns, columns, rows, rows, rows, support.motion});
+}
+
+LinearModel linearize_on(SupportedModel& model, const Equilibrium& equilibrium) {
+  const SupportedEquilibrium parts = split(equilibrium, model);
+  LinearModel rotor = linearize(parts.rotor, model.rotor(), HubFreedom::all);
+  const LinearModel own = linearize(parts.support, model.support());
+  const Layout z(own, model.parts().turns_freely);
+  LinearSupport support;
+  support.rotor_mass = rotor.M;
+  set_matrices(z, own, support);
+  set_motions(z, own, model.support(), support);
+  support.M -= support.J.transpose() * model.parts().ballast * support.J;
+  support.K += support.J.transpose() * calc_dead_stiffness(parts.rotor, model) * support.J;
+  add_axle(z, -equilibrium.wrench.tail<3>(), model.parts().torque_slope, support);
+  name_entries(z, own, model.support(), support);
+  add_subsystem(support, rotor);
+  rotor.support = std::move(support);
+  return rotor;
+}
+
+}  // namespace
+
+LinearModel linearize_machine(const Equilibrium& equilibrium, SteadyModel& model) {
+  SupportedModel* machine = model.on_support();
+  return machine ? linearize_on(*machine, equilibrium) : linearize(equilibrium, model);
+}
+
+void stand_on(const LinearSupport& support, LinearModel& rotor) {
+  const MatrixXd& J = support.J;
+  assert(J.rows() == rotor.M.rows() && support.M.rows() == J.cols());
+  rotor.M = support.M + J.transpose() * rotor.M * J;
+  rotor.C = support.C + J.transpose() * rotor.C * J;
+  rotor.K = support.K + J.transpose() * rotor.K * J;
+  for (HubCoupling& coupling : rotor.couplings) {
+    for (MatrixXd* columns : {&coupling.M_bh, &coupling.C_bh, &coupling.K_bh})
+      *columns = (*columns * J).eval();
+    for (MatrixXd* rows : {&coupling.M_hb, &coupling.C_hb, &coupling.K_hb})
+      *rows = (J.transpose() * *rows).eval();
+  }
+  rotor.round_off.force = J.cwiseAbs().transpose() * rotor.round_off.force;
+  rotor.round_off.step = support.step;
+}
+
+}  // namespace spoke::steady

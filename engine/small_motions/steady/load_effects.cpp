@@ -1,0 +1,186 @@
+// Lists the inputs of a scenario, and raises them one by one.
+
+#include "engine/small_motions/steady/load_effects.h"
+
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include "engine/small_motions/steady/output_derivatives.h"
+#include "engine/small_motions/steady/supported_model.h"
+
+namespace spoke::steady {
+namespace {
+
+using Eigen::VectorXd;
+
+/// An input, and a function that raises it by one in a scenario.
+struct Input {
+  std::string name;
+  std::string unit;
+  std::function<void(Scenario&)> raise;
+};
+
+void raise(Curve& curve) {
+  std::vector<double> values = curve.values();
+  for (double& value : values) value += 1.0;
+  curve = Curve(curve.times(), values);
+}
+
+/// Adds the inputs of a list of loads, which `find` takes from a scenario.
+template <class Find>
+void add_loads(const char* list, const Scenario& scenario, const Find& find,
+               std::vector<Input>& inputs) {
+  const std::size_t count = find(scenario).size();
+  for (std::size_t k = 0; k < count; ++k)
+    inputs.push_back({list + ('.' + std::to_string(k + 1)), "1",
+                      [k, find](Scenario& other) { raise(find(other)[k].factor); }});
+}
+
+/// Adds the inputs of the lists of a rotor in the plane or of a model in space.
+template <class Find>
+void add_all_loads(const Scenario& scenario, const Find& find, std::vector<Input>& inputs) {
+  add_loads(
+      "load", scenario, [find](auto& s) -> auto& { return find(s).loads; }, inputs);
+  add_loads(
+      "distributed_load", scenario, [find](auto& s) -> auto& { return find(s).distributed_loads; },
+      inputs);
+  add_loads(
+      "hub_load", scenario, [find](auto& s) -> auto& { return find(s).hub_loads; }, inputs);
+}
+
+/// Adds the motors of the free coordinates of a joint, which `find` takes from a scenario.
+template <class Find>
+void add_motors(const Scenario& scenario, const std::string& fallback, const Find& find,
+                std::vector<Input>& inputs) {
+  const spatial::Joint& joint = find(scenario);
+  const int count = count_coordinates(joint.kind);
+  const std::string name = joint.name.empty() ? fallback : joint.name;
+  for (int c = 0; c < count; ++c) {
+    const auto k = static_cast<std::size_t>(c);
+    if (joint.coordinates[k].motion) continue;
+    inputs.push_back({name + " motor" + (count > 1 ? ' ' + std::to_string(c + 1) : ""),
+                      slides(joint.kind, c) ? "N" : "N m",
+                      [k, find](Scenario& other) { raise(find(other).coordinates[k].effort); }});
+  }
+}
+
+void add_all_motors(const Scenario& scenario, std::vector<Input>& inputs) {
+  const spatial::Model& model = *scenario.space;
+  for (std::size_t b = 0; b < model.blades.size(); ++b)
+    for (std::size_t j = 0; j < model.blades[b].joints.size(); ++j)
+      add_motors(
+          scenario, "joint " + std::to_string(j + 1),
+          [ b, j ](auto& s) -> auto& { return s.space->blades[b].joints[j].joint; }, inputs);
+  for (std::size_t b = 0; b < model.subsystems.size(); ++b)
+    for (std::size_t j = 0; j < model.subsystems[b].joints.size(); ++j)
+      add_motors(
+          scenario, "joint of " + model.subsystems[b].joints[j].child,
+          [ b, j ](auto& s) -> auto& { return s.space->subsystems[b].joints[j].joint; }, inputs);
+}
+
+std::vector<Input> list_inputs(const Scenario& scenario) {
+  std::vector<Input> inputs;
+  if (scenario.space) {
+    add_all_loads(
+        scenario, [](auto& s) -> auto& { return *s.space; }, inputs);
+    add_all_motors(scenario, inputs);
+  } else {
+    add_all_loads(
+        scenario, [](auto& s) -> auto& { return s.rotor; }, inputs);
+  }
+  return inputs;
+}
+
+/// Returns forces and outputs of a subsystem at its equilibrium.
+LoadEffect answer(std::size_t subsystem, const SubsystemState& state, SteadyModel& model) {
+  SubsystemResponse response;
+  model.evaluate(subsystem, state, model.no_offset(), response);
+  return {
+      {}, response.force, response.hub_force, measure(subsystem, state, model.no_offset(), model)};
+}
+
+bool does_nothing(const LoadEffect& effect) {
+  return effect.force.isZero(0.0) && effect.hub_force.isZero(0.0) && effect.outputs.isZero(0.0);
+}
+
+/// Makes the model of a scenario that stands like `model`; with an azimuth as it is there, with all
+/// parts of its loads.
+std::unique_ptr<SteadyModel> make_like(const SteadyModel& model, const Scenario& scenario,
+                                       std::optional<double> azimuth) {
+  std::unique_ptr<SteadyModel> made = make_steady_model(
+      scenario, {.speed = model.speed(), .is_whole = azimuth.has_value(), .has_outputs = true});
+  if (SupportedModel* machine = made->on_support()) {
+    machine->stand_like(*model.on_support());
+    if (azimuth) machine->turn_rotor(*azimuth);
+  } else if (azimuth) {
+    made->move_hub(*azimuth, 0.0, 0.0);
+  }
+  return made;
+}
+
+/// What a model exerts and shows at an equilibrium.
+struct Answers {
+  std::vector<LoadEffect> subsystems;
+  VectorXd hub;
+};
+Answers answer_all(const Equilibrium& equilibrium, const SteadyModel& settled, SteadyModel& model) {
+  Answers answers;
+  for (std::size_t i = 0; i < model.subsystems(); ++i) {
+    if (&model != &settled) model.settle_at(i, settled.absolute(i, equilibrium.q[i]));
+    answers.subsystems.push_back(answer(i, make_state(equilibrium.q[i]), model));
+  }
+  answers.hub = model.hub_force(model.no_offset());
+  return answers;
+}
+
+/// Returns what each input changes of the answers of `base`.
+std::vector<InputEffect> calc_effects(const Scenario& scenario, const Equilibrium& equilibrium,
+                                      const SteadyModel& settled, SteadyModel& base,
+                                      std::optional<double> azimuth) {
+  const Answers steady = answer_all(equilibrium, settled, base);
+  std::vector<InputEffect> effects;
+  for (const Input& input : list_inputs(scenario)) {
+    Scenario raised = scenario;
+    input.raise(raised);
+    const std::unique_ptr<SteadyModel> more = make_like(settled, raised, azimuth);
+    Answers changed = answer_all(equilibrium, settled, *more);
+    for (std::size_t i = 0; i < changed.subsystems.size(); ++i) {
+      LoadEffect& effect = changed.subsystems[i];
+      effect.force -= steady.subsystems[i].force;
+      effect.hub_force -= steady.subsystems[i].hub_force;
+      effect.outputs -= steady.subsystems[i].outputs;
+    }
+    effects.push_back({{input.name, input.unit},
+                       std::move(changed.subsystems),
+                       VectorXd(changed.hub - steady.hub)});
+  }
+  return effects;
+}
+
+}  // namespace
+
+LoadEffects calc_load_effects(const Scenario& scenario, const Equilibrium& equilibrium,
+                              SteadyModel& model) {
+  LoadEffects effects;
+  effects.subsystems.resize(model.subsystems());
+  for (InputEffect& by : calc_effects(scenario, equilibrium, model, model, std::nullopt)) {
+    for (std::size_t i = 0; i < model.subsystems(); ++i) {
+      LoadEffect& effect = by.subsystems[i];
+      if (does_nothing(effect)) continue;
+      effect.input = {model.name_of(i) + " / " + by.input.name, by.input.unit};
+      effects.subsystems[i].push_back(std::move(effect));
+    }
+    if (!by.hub.isZero(0.0))
+      effects.hub.push_back({{"hub / " + by.input.name, by.input.unit}, {}, by.hub, {}});
+  }
+  return effects;
+}
+
+std::vector<InputEffect> calc_effects_at(double azimuth, const Scenario& scenario,
+                                         const Equilibrium& equilibrium, SteadyModel& model) {
+  const std::unique_ptr<SteadyModel> base = make_like(model, scenario, azimuth);
+  return calc_effects(scenario, equilibrium, model, *base, azimuth);
+}
+
+}  // namespace spoke::steady

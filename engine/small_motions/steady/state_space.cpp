@@ -1,0 +1,72 @@
+// Collects the entries of matrices, and names the hub's motion.
+
+#include "engine/small_motions/steady/state_space.h"
+
+#include <cassert>
+
+#include "models/error.h"
+
+namespace spoke::steady {
+namespace {
+
+using Eigen::Index;
+
+/// Names of a component of the hub's motion and of its force.
+struct HubNames {
+  const char *coordinate, *effort;
+};
+HubNames name_component(int c, const SteadyModel& model) {
+  static constexpr HubNames kMoves[] = {{"x", "force x"}, {"y", "force y"}, {"z", "force z"}};
+  static constexpr HubNames kTurns[] = {{"rotation x", "moment x"}, {"rotation y", "moment y"}};
+  if (c == model.twist_size() - 1) return {"angle", "torque"};
+  return c < model.first_rotation() ? kMoves[c] : kTurns[c - model.first_rotation()];
+}
+
+bool is_rotation(int c, const SteadyModel& model) { return c >= model.first_rotation(); }
+
+}  // namespace
+
+void MatrixEntries::add(Index row, Index column, const Eigen::MatrixXd& block) {
+  for (Index c = 0; c < block.cols(); ++c)
+    for (Index r = 0; r < block.rows(); ++r)
+      if (block(r, c) != 0.0) list_.emplace_back(row + r, column + c, block(r, c));
+}
+
+void MatrixEntries::add(Index row, const std::vector<Index>& rows, Index column,
+                        const std::vector<Index>& columns, const Eigen::MatrixXd& block) {
+  assert(block.rows() == std::ssize(rows) && block.cols() == std::ssize(columns));
+  for (Index c = 0; c < block.cols(); ++c)
+    for (Index r = 0; r < block.rows(); ++r)
+      if (block(r, c) != 0.0)
+        list_.emplace_back(row + rows[static_cast<std::size_t>(r)],
+                           column + columns[static_cast<std::size_t>(c)], block(r, c));
+}
+
+Eigen::SparseMatrix<double> MatrixEntries::matrix(Index rows, Index columns) const {
+  Eigen::SparseMatrix<double> made(rows, columns);
+  made.setFromTriplets(list_.begin(), list_.end());
+  return made;
+}
+
+LinearSignal name_hub_motion(int c, const SteadyModel& model) {
+  return {std::string("hub / ") + name_component(c, model).coordinate,
+          is_rotation(c, model) ? "rad" : "m"};
+}
+
+LinearSignal name_hub_effort(int c, const SteadyModel& model) {
+  return {std::string("hub / ") + name_component(c, model).effort,
+          is_rotation(c, model) ? "N m" : "N"};
+}
+
+LinearSignal rate_of(const LinearSignal& signal) {
+  return {"rate of " + signal.name, signal.unit + "/s"};
+}
+
+void require_few_coupled(Index coordinates) {
+  if (coordinates > kMostCoupled)
+    throw InputError("blades couple through the hub and have " + std::to_string(coordinates) +
+                     " coordinates, expected at most " + std::to_string(kMostCoupled) +
+                     ": the matrices would be full");
+}
+
+}  // namespace spoke::steady

@@ -1,0 +1,110 @@
+// Reads the states of rows that the step's own kernel finds.
+
+#include "engine/small_motions/steady/steady_loops.h"
+
+#include <algorithm>
+#include <cassert>
+#include <span>
+
+#include "engine/bodies/kernels/loop_motion.h"
+#include "engine/bodies/kernels/loop_readings.h"
+#include "engine/small_motions/steady/subsystem_access.h"
+
+namespace spoke::steady {
+
+template <class World>
+std::vector<std::vector<LoopRowUse>> start_loops_of(System<World>& system,
+                                                    const LoopLimits& limits) {
+  std::vector<std::vector<LoopRowUse>> use(system.subsystems.size());
+  if (std::all_of(system.subsystems.begin(), system.subsystems.end(),
+                  [](const Subsystem<World>& subsystem) { return subsystem.loops.empty(); }))
+    return use;
+  SystemContext<World> context;
+  context.system = system;
+  context.integrator = {Rk4{1.0}, {}};
+  context.loop_limits = limits;
+  allocate(context);
+  for (std::size_t i = 0; i < use.size(); ++i) {
+    use[i] = context.data.subsystems[i].loops.use;
+    Subsystem<World>& subsystem = system.subsystems[i];
+    if (subsystem.loops.empty()) continue;
+    subsystem.loops = context.system.subsystems[i].loops;
+    for (std::size_t j = 0; j < subsystem.bodies.size(); ++j) {
+      const BodyData<World>& body = context.data.subsystems[i].bodies[j];
+      std::vector<double> q(static_cast<std::size_t>(count_joint_coordinates(*body.model)));
+      take_joint_position(body, q.data());
+      make_absolute(body, q.data());
+      put_initial(q.data(), subsystem.bodies[j]);
+    }
+  }
+  return use;
+}
+
+template <class World>
+std::vector<ClosureRow> list_rows(const Subsystem<World>& subsystem,
+                                  const SubsystemData<World>& data) {
+  std::vector<ClosureRow> rows;
+  for (std::size_t k = 0; k < subsystem.loops.size(); ++k)
+    for (const LoopRow& row : subsystem.loops[k].rows)
+      rows.push_back(
+          {k, data.loops.use[rows.size()] == LoopRowUse::dropped, row.stiffness, row.damping});
+  return rows;
+}
+
+template <class World>
+void put_loops(const System<World>& system, std::size_t i, const std::vector<ClosureRow>& rows,
+               const SubsystemState& state, StepData<World>& data, SubsystemResponse& response) {
+  const Eigen::Index count = std::ssize(rows);
+  assert(state.multipliers.size() == 0 || state.multipliers.size() == count);
+  response.openings.resize(count);
+  response.multipliers.setZero(count);
+  if (count == 0) return;
+  calc_loop_motion(system, i, 0.0, {}, data);
+  for (Eigen::Index r = 0; r < count; ++r) {
+    const ClosureRow& row = rows[static_cast<std::size_t>(r)];
+    const LoopRowState<World>& motion =
+        data.subsystems[i].loops.states[static_cast<std::size_t>(r)];
+    response.openings[r] = motion.opening;
+    if (row.is_dropped) continue;
+    double& force = response.multipliers[r];
+    if (!row.is_rigid() && !state.holds_springs)
+      force = -row.stiffness * motion.opening;
+    else if (state.multipliers.size() > 0)
+      force = state.multipliers[r];
+    force -= row.damping * motion.rate;
+  }
+}
+
+template <class World>
+std::vector<LoopLoad> calc_loop_loads(const System<World>& system, std::size_t i,
+                                      const Eigen::VectorXd& multipliers,
+                                      const StepData<World>& data) {
+  std::vector<LoopLoad> loads;
+  const std::span<const double> by_row(multipliers.data(),
+                                       static_cast<std::size_t>(multipliers.size()));
+  for (std::size_t k = 0; k < system.subsystems[i].loops.size(); ++k) {
+    const LoopModel& loop = system.subsystems[i].loops[k];
+    LoopLoad& load = loads.emplace_back();
+    load.name = loop.name;
+    const LoopVector reaction = calc_loop_reaction(system, i, k, 0.0, data, by_row);
+    load.force = reaction.in_hub.head<3>();
+    load.moment = reaction.in_hub.tail<3>();
+    if (loop.kind == LoopKind::distance) load.tension = reaction.in_loop[0];
+  }
+  return loads;
+}
+
+template std::vector<std::vector<LoopRowUse>> start_loops_of(System<Plane>&, const LoopLimits&);
+template std::vector<std::vector<LoopRowUse>> start_loops_of(System<Space>&, const LoopLimits&);
+template std::vector<ClosureRow> list_rows(const Subsystem<Plane>&, const SubsystemData<Plane>&);
+template std::vector<ClosureRow> list_rows(const Subsystem<Space>&, const SubsystemData<Space>&);
+template void put_loops(const System<Plane>&, std::size_t, const std::vector<ClosureRow>&,
+                        const SubsystemState&, StepData<Plane>&, SubsystemResponse&);
+template void put_loops(const System<Space>&, std::size_t, const std::vector<ClosureRow>&,
+                        const SubsystemState&, StepData<Space>&, SubsystemResponse&);
+template std::vector<LoopLoad> calc_loop_loads(const System<Plane>&, std::size_t,
+                                               const Eigen::VectorXd&, const StepData<Plane>&);
+template std::vector<LoopLoad> calc_loop_loads(const System<Space>&, std::size_t,
+                                               const Eigen::VectorXd&, const StepData<Space>&);
+
+}  // namespace spoke::steady

@@ -1,0 +1,305 @@
+// Names and shapes of modes in multi-blade coordinates.
+
+#include "engine/small_motions/vibration/fixed_modes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "engine/small_motions/vibration/eigenvalues.h"
+#include "engine/small_motions/vibration/multi_blade.h"
+#include "engine/small_motions/vibration/support_names.h"
+#include "models/error.h"
+
+namespace spoke::vibration {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXcd;
+using steady::LinearModel;
+using Complex = std::complex<double>;
+
+constexpr Complex kI(0.0, 1.0);
+
+/// A rotor in the frame that stands, and what it was made from.
+struct Fixed {
+  const Linearised& all;
+  const FixedFrame& frame;
+
+  double speed() const { return frame.axes.speed; }
+  std::size_t first_of(std::size_t pattern) const {
+    return frame.families[frame.patterns[pattern].family].blades[0];
+  }
+  /// Returns the motion of the first blade of a pattern that has these coordinates y.
+  SubsystemShape shape_of(std::size_t pattern, const VectorXcd& y, const VectorXcd& hub) const {
+    const std::size_t i = first_of(pattern);
+    return calc_subsystem_shape(i, all.equilibrium.q[i], all.linear.motion_of(i, y, hub),
+                                all.model);
+  }
+};
+
+/// The motion of a pattern in a mode: that of a blade, y exp(i (w t + n psi_b)) as it turns along.
+struct PatternMotion {
+  VectorXcd y;                ///< coordinates of a blade
+  double mass = 0.0;          ///< of the whole pattern: x^H M x
+  double rate = 0.0;          ///< w, not negative: the blade's own frequency [rad/s]
+  int sense = 0;              ///< n by its magnitude; 0: all alike, next ones opposite, or standing
+  bool is_conjugate = false;  ///< w is that of the conjugate motion
+  std::string name;
+};
+
+/// Names a pattern that goes round, or at rest may stand. Of n > 0 the pattern moves against the
+/// rotation in the blades' frame, which takes n times the speed from its frequency.
+std::string name_round(const PatternMotion& motion, int multiple, double speed, bool is_cosine) {
+  const std::string order = multiple > 1 ? " order " + std::to_string(multiple) : "";
+  if (motion.sense == 0) return (is_cosine ? "cosine" : "sine") + order;
+  const bool is_regressive = (motion.sense > 0) == (speed >= 0.0);
+  return (is_regressive ? "regressive" : "progressive") + order;
+}
+
+/// Returns the motion of a pattern that has a cosine and a sine part: of its two senses that with
+/// more mass.
+PatternMotion describe_pair(const VectorXcd& cosine, const VectorXcd& sine, double frequency,
+                            int multiple, double speed, const Eigen::MatrixXd& M) {
+  constexpr double kStanding = 0.8;  // least ratio of the amplitudes of both senses
+  const VectorXcd plus = (cosine - kI * sine) / std::sqrt(2.0);
+  const VectorXcd minus = (cosine + kI * sine) / std::sqrt(2.0);
+  const double of_plus = calc_mass(plus, M), of_minus = calc_mass(minus, M);
+  PatternMotion motion;
+  motion.mass = of_plus + of_minus;
+  const double ratio = std::min(of_plus, of_minus) / std::max(of_plus, of_minus);
+  const bool is_cosine = calc_mass(cosine, M) >= calc_mass(sine, M);
+  if (speed == 0.0 && ratio > kStanding * kStanding) {
+    motion.y = is_cosine ? cosine : sine;
+    motion.rate = frequency;
+  } else {
+    motion.sense = of_plus > of_minus ? 1 : -1;
+    motion.y = motion.sense > 0 ? plus : minus;
+    const double rate = frequency + motion.sense * multiple * speed;
+    motion.is_conjugate = rate < 0.0;
+    motion.rate = std::abs(rate);
+    if (motion.is_conjugate) {
+      motion.y = motion.y.conjugate().eval();
+      motion.sense = -motion.sense;
+    }
+  }
+  motion.name = name_round(motion, multiple, speed, is_cosine);
+  return motion;
+}
+
+PatternMotion describe_pattern(std::size_t k, const Root& root, const Fixed& fixed) {
+  const BladePattern& pattern = fixed.frame.patterns[k];
+  const Eigen::MatrixXd& M = fixed.all.linear.subsystem(fixed.first_of(k)).M;
+  const VectorXcd first = root.x.segment(fixed.frame.start(k), pattern.size);
+  const double frequency = std::abs(root.s.imag());
+  if (pattern.is_pair)
+    return describe_pair(first, root.x.segment(fixed.frame.start(k) + pattern.size, pattern.size),
+                         frequency, pattern.multiple, fixed.speed(), M);
+  return {first,     calc_mass(first, M),
+          frequency, 0,
+          false,     pattern.is_differential ? "differential" : "collective"};
+}
+
+/// Returns flap, lag, torsion and axial motion of all patterns, by which modes of equal roots are
+/// told apart; then motion that is alike, and the senses of patterns that go round.
+Features list_features(const VectorXcd& x, const Fixed& fixed) {
+  Features kinds(4), patterns;
+  const VectorXcd hub = x.head(fixed.frame.model.M.rows());
+  const auto append = [](const VectorXcd& more, VectorXcd& list) {
+    list.conservativeResize(list.size() + more.size());
+    list.tail(more.size()) = more;
+  };
+  for (std::size_t k = 0; k < fixed.frame.patterns.size(); ++k) {
+    const BladePattern& pattern = fixed.frame.patterns[k];
+    const Index at = fixed.frame.start(k), n = pattern.size;
+    const VectorXcd zero = VectorXcd::Zero(hub.size());
+    std::vector<VectorXcd> parts = {x.segment(at, n)};
+    if (pattern.is_pair) {
+      const VectorXcd cosine = parts[0], sine = x.segment(at + n, n);
+      parts = {(cosine + kI * sine) / std::sqrt(2.0), (cosine - kI * sine) / std::sqrt(2.0)};
+    }
+    for (const VectorXcd& part : parts) {
+      const Features own = vibration::list_features(fixed.shape_of(k, part, zero));
+      VectorXcd& pattern_motion = patterns.emplace_back();
+      for (std::size_t kind = 0; kind < 4; ++kind) {
+        append(own[kind], kinds[kind]);
+        append(own[kind], pattern_motion);
+      }
+    }
+  }
+  kinds.insert(kinds.end(), patterns.begin(), patterns.end());
+  return kinds;
+}
+
+/// A mode whose name has no number yet.
+struct Unnumbered {
+  std::size_t pattern = 0;  ///< that moves most
+  PatternMotion motion;
+  double of_hub = 0.0;
+  double magnitude = 0.0;  ///< of the root in the blades' frame [rad/s]
+  std::string kind;        ///< of its motion
+  std::string own_kind;    ///< the same, or "overdamped ..."
+  bool is_of_support = false;
+  bool is_of_hub = false;
+};
+
+Unnumbered describe(const Root& root, const Fixed& fixed, std::map<std::string, KindNames>& kinds) {
+  constexpr double kAlike = 1e-6;
+  Unnumbered found;
+  const VectorXcd hub = root.x.head(fixed.frame.model.M.rows());
+  if (hub.size() > 0) found.of_hub = calc_mass(hub, calc_carried_mass(fixed.frame.model));
+  for (std::size_t k = 0; k < fixed.frame.patterns.size(); ++k) {
+    PatternMotion motion = describe_pattern(k, root, fixed);
+    if (k > 0 && motion.mass <= found.motion.mass * (1.0 + kAlike)) continue;
+    found.motion = std::move(motion);
+    found.pattern = k;
+  }
+  found.magnitude = std::hypot(root.s.real(), found.motion.rate);
+  if (fixed.all.linear.support && calc_mass(hub, fixed.frame.model.M) > found.motion.mass) {
+    found.is_of_support = true;
+    found.kind = name_support_motion(hub, fixed.all);
+    return found;
+  }
+  const bool is_of_hub =
+      fixed.frame.patterns.empty() || (found.of_hub > 0.5 && found.motion.mass < 0.25);
+  if (is_of_hub) {
+    found.is_of_hub = true;
+    found.kind = "hub";
+    return found;
+  }
+  const std::size_t i = fixed.first_of(found.pattern);
+  const SubsystemShape shape =
+      fixed.shape_of(found.pattern, found.motion.y, VectorXcd::Zero(hub.size()));
+  found.kind =
+      kinds[found.motion.name].name(list_independent(i, fixed.all.linear, fixed.all.model),
+                                    found.motion.y, fixed.all.linear.subsystem(i).M, shape);
+  return found;
+}
+
+/// Returns the pattern of overdamped vibrations in which those of a pattern are: what creeps in the
+/// blades' frame goes round with them, and has one of two senses.
+std::string creeping_pattern(const std::string& name) {
+  const std::string progressive = "progressive", regressive = "regressive";
+  return name.starts_with(progressive) ? regressive + name.substr(progressive.size()) : name;
+}
+
+/// Returns for each mode its number among those of its kind and pattern, by magnitude in
+/// the blades' frame. Those that are overdamped have numbers of their own, and count besides.
+std::vector<int> number(const std::vector<Unnumbered>& modes) {
+  std::map<std::pair<std::string, std::string>, std::vector<std::size_t>> alike;
+  std::map<std::pair<std::string, std::string>, int> creeping;
+  for (std::size_t k = 0; k < modes.size(); ++k) {
+    alike[{modes[k].own_kind, modes[k].motion.name}].push_back(k);
+    if (modes[k].own_kind != modes[k].kind)
+      ++creeping[{modes[k].kind, creeping_pattern(modes[k].motion.name)}];
+  }
+  std::vector<int> numbers(modes.size());
+  for (auto& [name, list] : alike) {
+    std::stable_sort(list.begin(), list.end(), [&](std::size_t a, std::size_t b) {
+      return modes[a].magnitude < modes[b].magnitude;
+    });
+    const auto roots = creeping.find({name.first, creeping_pattern(name.second)});
+    const int before = roots == creeping.end() ? 0 : count_overdamped(roots->second);
+    for (std::size_t place = 0; place < list.size(); ++place)
+      numbers[list[place]] = before + static_cast<int>(place) + 1;
+  }
+  return numbers;
+}
+
+/// Returns the roots that are wanted and those that count for their numbers: the blades' own
+/// frequencies are up to n times the speed from those of the modes.
+std::vector<Root> find_enough(Index wanted, Index size, const FixedFrame& frame) {
+  constexpr Index kPartners = 8, kMost = 400;
+  int multiple = 0;
+  for (const BladePattern& pattern : frame.patterns)
+    if (pattern.is_pair) multiple = std::max(multiple, pattern.multiple);
+  for (Index count = std::min(wanted + kPartners, size);; count = std::min(2 * count, size)) {
+    std::vector<Root> roots = find_fixed_roots(frame, count);
+    if (roots.empty() || count == size || count > kMost) return roots;
+    const Root& last = roots[static_cast<std::size_t>(std::min(wanted, std::ssize(roots))) - 1];
+    const double reach = std::abs(last.s) + 2.0 * multiple * std::abs(frame.axes.speed);
+    if (std::abs(roots.back().s) > reach) return roots;
+  }
+}
+
+/// Returns the mode with its shape, as blades move where they stand at t = 0.
+Mode make_fixed_mode(const Root& root, const Unnumbered& found, const Fixed& fixed) {
+  Mode mode = make_mode(root);
+  mode.coordinates = found.motion.is_conjugate ? VectorXcd(root.x.conjugate()) : root.x;
+  mode.kind = found.own_kind;
+  const Linearised& all = fixed.all;
+  mode.of =
+      all.linear.is_coupled()
+          ? "all"
+          : name_subsystems(find_like(fixed.first_of(found.pattern), all.linear.alike), all.model);
+  const VectorXcd hub = root.x.head(fixed.frame.model.M.rows());
+  set_hub_motion(hub, all, mode);
+  EnergySum energies(all);
+  for (std::size_t i = 0; i < all.model.subsystems(); ++i) {
+    const VectorXcd y = fixed.frame.motion_of(i, root.x);
+    const SubsystemShape shape =
+        calc_subsystem_shape(i, all.equilibrium.q[i], all.linear.motion_of(i, y, hub), all.model);
+    energies.add(i, shape);
+    add_shape(i, shape, all.model, mode);
+  }
+  vibration::normalise(mode);
+  mode.energy = energies.share_out(found.of_hub);
+  mode.weighed = energies.weigh(hub, calc_carried_mass(fixed.frame.model));
+  if (found.motion.is_conjugate) mode.weighed = mode.weighed.conjugate().eval();
+  return mode;
+}
+
+/// Whether a mode at zero goes on as it was set off: one that gyroscopic forces hold has a sense.
+bool goes_on(const Root& root) {
+  return root.s == 0.0 && root.x.imag().squaredNorm() < 1e-6 * root.x.squaredNorm();
+}
+
+}  // namespace
+
+FixedFrame see_from_outside(const Linearised& all) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < all.model.subsystems(); ++i) names.push_back(all.model.name_of(i));
+  const FixedFrame rotor = make_fixed_frame(
+      all.linear, all.model.azimuths(), names,
+      make_standing_axes(all.model.free_components(), all.model.is_spatial(), all.model.speed()));
+  if (!all.linear.support) return rotor;
+  const steady::LinearSupport& support = *all.linear.support;
+  return stand_on(rotor, support.J, {support.M, support.C, support.K});
+}
+
+void add_fixed_modes(const ModeCount& count, const Linearised& all, ModesResult& result) {
+  const FixedFrame frame = see_from_outside(all);
+  const Fixed fixed{all, frame};
+  const Index size = frame.start(frame.patterns.size());
+  if (size == 0)
+    throw InputError("nothing of the model moves, expected a body or a joint that does");
+  const Index wanted = find_count(count, size, "the model", result);
+  std::vector<Root> roots = find_enough(wanted, size, frame);
+  separate_equal_roots(
+      Pencil(frame.model), [&](const VectorXcd& x) { return list_features(x, fixed); }, roots);
+  std::map<std::string, KindNames> kinds;
+  std::vector<Unnumbered> modes;
+  for (const Root& root : roots) {
+    Unnumbered& mode = modes.emplace_back(describe(root, fixed, kinds));
+    const bool is_of_blades = !mode.is_of_support && !mode.is_of_hub;
+    mode.own_kind = kind_with_damping(mode.kind, root.s,
+                                      is_of_blades ? mode.motion.rate : std::abs(root.s.imag()));
+  }
+  const std::vector<int> numbers = number(modes);
+  Numbering rigid, hub, support;
+  for (std::size_t k = 0; k < roots.size() && std::cmp_less(k, wanted); ++k) {
+    Mode mode = make_fixed_mode(roots[k], modes[k], fixed);
+    if (goes_on(roots[k]))
+      rigid.name("rigid motion", mode);
+    else if (modes[k].is_of_support)
+      support.name_further(mode.kind, mode);
+    else if (modes[k].is_of_hub)
+      hub.name(mode.kind, mode);
+    else
+      mode.name = mode.kind + ' ' + std::to_string(numbers[k]) + ' ' + modes[k].motion.name;
+    result.modes.push_back(std::move(mode));
+  }
+}
+
+}  // namespace spoke::vibration

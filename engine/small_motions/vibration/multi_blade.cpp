@@ -1,0 +1,271 @@
+// Sums blades over their azimuths.
+
+#include "engine/small_motions/vibration/multi_blade.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "engine/small_motions/steady/linear_support.h"
+#include "models/error.h"
+
+namespace spoke::vibration {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using steady::HubCoupling;
+using steady::LinearModel;
+using steady::LinearSubsystem;
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr const char* kElse = ": of modes the frame \"floquet\" takes any blades";
+
+double wrap(double angle) {
+  const double within = std::fmod(angle, kTurn);
+  return within < 0.0 ? within + kTurn : within;
+}
+
+std::string list_names(const std::vector<std::size_t>& subsystems,
+                       const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::size_t i : subsystems) list += (list.empty() ? "" : ", ") + names[i];
+  return list;
+}
+
+/// Throws InputError unless the blades of a family are three or more at equal angles.
+void require_even(const BladeFamily& family, const std::vector<std::string>& names) {
+  constexpr double kSame = 1e-9;
+  const std::size_t count = family.blades.size();
+  if (count < 3)
+    throw InputError("the frame \"fixed\" expects three or more equal blades, got " +
+                     std::to_string(count) + " of the kind of " + list_names(family.blades, names) +
+                     kElse);
+  for (std::size_t k = 0; k < count; ++k) {
+    const double gap = wrap(family.azimuths[(k + 1) % count] - family.azimuths[k]);
+    if (std::abs(gap - kTurn / static_cast<double>(count)) <= kSame) continue;
+    throw InputError("the frame \"fixed\" expects equal angles between " +
+                     list_names(family.blades, names) + kElse);
+  }
+}
+
+std::vector<BladeFamily> find_families(const LinearModel& model,
+                                       const std::vector<double>& azimuths,
+                                       const std::vector<std::string>& names) {
+  std::vector<BladeFamily> families;
+  for (std::size_t first = 0; first < model.alike.size(); ++first) {
+    if (model.alike[first] != first || model.subsystem(first).M.rows() == 0) continue;
+    BladeFamily& family = families.emplace_back();
+    for (std::size_t i = first; i < model.alike.size(); ++i)
+      if (model.alike[i] == first) family.blades.push_back(i);
+    std::stable_sort(family.blades.begin(), family.blades.end(), [&](std::size_t a, std::size_t b) {
+      return wrap(azimuths[a]) < wrap(azimuths[b]);
+    });
+    for (const std::size_t i : family.blades) family.azimuths.push_back(azimuths[i]);
+    require_even(family, names);
+  }
+  return families;
+}
+
+/// Returns [A -B; B A], which multiplies cosine and sine parts.
+MatrixXd make_pair(const MatrixXd& A, const MatrixXd& B) {
+  MatrixXd pair(2 * A.rows(), 2 * A.cols());
+  pair << A, -B, B, A;
+  return pair;
+}
+
+/// Returns a pair's matrices: as y = a_c cos(n psi) + a_s sin(n psi), whose derivatives add
+/// n w (a_s cos - a_c sin) with the speed w of the hub, M y'' has 2 n w M (a_s', -a_c') and
+/// -(n w)^2 M a, and C y' has n w C (a_s, -a_c) besides.
+LinearSubsystem make_pair(const LinearSubsystem& one, double rate) {
+  const MatrixXd none = MatrixXd::Zero(one.M.rows(), one.M.cols());
+  LinearSubsystem pair;
+  pair.M = make_pair(one.M, none);
+  pair.C = make_pair(one.C, -2.0 * rate * one.M);
+  pair.K = make_pair(one.K - rate * rate * one.M, -rate * one.C);
+  const MatrixXd terms = one.K_terms.size() > 0 ? one.K_terms : MatrixXd(one.K.cwiseAbs());
+  pair.K_terms =
+      make_pair(terms + rate * rate * one.M.cwiseAbs(), std::abs(rate) * one.C.cwiseAbs())
+          .cwiseAbs();
+  pair.round_off.force = one.round_off.force.replicate(2, 1);
+  pair.round_off.step = one.round_off.step.replicate(2, 1);
+  return pair;
+}
+
+/// A blade's coupling with the hub along axes that turn with the blade's azimuth.
+struct AlongBlade {
+  SecondOrder bh, hb;
+};
+AlongBlade turn_to_blade(const HubCoupling& coupling, double azimuth, const StandingAxes& axes) {
+  const MatrixXd T = axes.T.at(azimuth);
+  const SecondOrder standing = stand_columns({coupling.M_bh, coupling.C_bh, coupling.K_bh}, axes);
+  return {{standing.M * T, standing.C * T, standing.K * T},
+          {T.transpose() * coupling.M_hb, T.transpose() * coupling.C_hb,
+           T.transpose() * coupling.K_hb}};
+}
+
+HubCoupling make_coupling(const SecondOrder& bh, const SecondOrder& hb) {
+  return {bh.M, bh.C, bh.K, hb.M, hb.C, hb.K, {}};
+}
+
+/// Returns the coupling of a_0: the sum over N blades by 1/sqrt(N).
+HubCoupling couple_all(const AlongBlade& blade, double count, const StandingAxes& axes) {
+  const MatrixXd share = std::sqrt(count) * axes.T.mean;
+  return make_coupling({blade.bh.M * share, blade.bh.C * share, blade.bh.K * share},
+                       {share * blade.hb.M, share * blade.hb.C, share * blade.hb.K});
+}
+
+/// Returns the coupling of a_1c and a_1s: sums by sqrt(2/N) cos psi and sqrt(2/N) sin psi.
+HubCoupling couple_pair(const AlongBlade& blade, double count, const StandingAxes& axes) {
+  const double w = axes.speed, size = std::sqrt(0.5 * count);
+  const MatrixXd c = size * axes.T.cosine, s = size * axes.T.sine;
+  const auto below = [](const MatrixXd& a, const MatrixXd& b) {
+    MatrixXd both(a.rows() + b.rows(), a.cols());
+    both << a, b;
+    return both;
+  };
+  const auto beside = [](const MatrixXd& a, const MatrixXd& b) {
+    MatrixXd both(a.rows(), a.cols() + b.cols());
+    both << a, b;
+    return both;
+  };
+  const auto rows = [&](const MatrixXd& m) { return below(m * c, m * s.transpose()); };
+  const SecondOrder& hb = blade.hb;
+  const MatrixXd K = hb.K - w * w * hb.M;
+  return make_coupling({rows(blade.bh.M), rows(blade.bh.C), rows(blade.bh.K)},
+                       {beside(c * hb.M, s * hb.M),
+                        beside(c * hb.C - 2.0 * w * s * hb.M, s * hb.C + 2.0 * w * c * hb.M),
+                        beside(c * K - w * s * hb.C, s * K + w * c * hb.C)});
+}
+
+HubCoupling couple_none(const AlongBlade& blade, Index parts) {
+  const MatrixXd bh = MatrixXd::Zero(parts * blade.bh.M.rows(), blade.bh.M.cols());
+  const MatrixXd hb = bh.transpose();
+  return make_coupling({bh, bh, bh}, {hb, hb, hb});
+}
+
+/// Returns the mean of T A T^T over the azimuth. Throws InputError if it depends on the azimuth by
+/// more than `tolerance`, entries being scaled by masses.
+MatrixXd require_round(const MatrixXd& A, const MatrixXd& mass, double tolerance,
+                       const StandingAxes& axes) {
+  constexpr int kSamples = 8;  // the second harmonic is the highest
+  std::vector<MatrixXd> samples;
+  MatrixXd mean = MatrixXd::Zero(A.rows(), A.cols());
+  for (int k = 0; k < kSamples; ++k) {
+    const MatrixXd T = axes.T.at(kTurn * k / kSamples);
+    samples.push_back(T * A * T.transpose());
+    mean += samples.back() / kSamples;
+  }
+  const Eigen::VectorXd scale = mass.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
+  for (const MatrixXd& sample : samples) {
+    const MatrixXd left = scale.asDiagonal() * (sample - mean) * scale.asDiagonal();
+    if (!(left.lpNorm<Eigen::Infinity>() > tolerance)) continue;
+    throw InputError(
+        "the frame \"fixed\" expects a hub whose mass and forces are alike in all "
+        "directions across its axis" +
+        std::string(kElse));
+  }
+  return mean;
+}
+
+/// Takes the hub's own matrices to standing axes.
+void add_hub(const LinearModel& turning, const StandingAxes& axes, LinearModel& fixed) {
+  constexpr double kAlike = 1e-6;
+  const SecondOrder hub = stand_columns({turning.M, turning.C, turning.K}, axes);
+  const Eigen::VectorXd scale = hub.M.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
+  const double rate = std::max(1.0, std::abs(axes.speed));
+  const auto size_of = [&](const MatrixXd& m) {
+    return (scale.asDiagonal() * m * scale.asDiagonal()).cwiseAbs().maxCoeff();
+  };
+  fixed.M = require_round(hub.M, hub.M, kAlike, axes);
+  fixed.C = require_round(hub.C, hub.M, kAlike * (rate + size_of(hub.C)), axes);
+  fixed.K = require_round(hub.K, hub.M, kAlike * (rate * rate + size_of(hub.K)), axes);
+  fixed.round_off = turning.round_off;
+}
+
+/// Adds the patterns of a family.
+void add_family(std::size_t number, const LinearModel& turning, const StandingAxes& axes,
+                FixedFrame& frame) {
+  const BladeFamily& family = frame.families[number];
+  const int count = static_cast<int>(family.blades.size());
+  const std::size_t first = family.blades[0];
+  const LinearSubsystem& one = turning.subsystem(first);
+  const bool is_coupled = turning.is_coupled();
+  AlongBlade blade;
+  if (is_coupled) blade = turn_to_blade(turning.couplings[first], family.azimuths[0], axes);
+  LinearModel& model = frame.model;
+  const std::size_t collective = model.subsystems.size();
+  for (int n = 0; 2 * n <= count; ++n) {
+    const bool is_differential = n > 0 && 2 * n == count, is_pair = n > 0 && !is_differential;
+    model.alike.push_back(is_pair ? model.subsystems.size() : collective);
+    model.subsystems.push_back(is_pair  ? make_pair(one, n * axes.speed)
+                               : n == 0 ? one
+                                        : LinearSubsystem{});
+    frame.patterns.push_back({number, n, is_pair, is_differential, one.M.rows()});
+    if (!is_coupled) continue;
+    model.couplings.push_back(n == 0   ? couple_all(blade, count, axes)
+                              : n == 1 ? couple_pair(blade, count, axes)
+                                       : couple_none(blade, is_pair ? 2 : 1));
+  }
+}
+
+}  // namespace
+
+Index FixedFrame::start(std::size_t pattern) const {
+  Index at = model.M.rows();
+  for (std::size_t k = 0; k < pattern; ++k) at += (patterns[k].is_pair ? 2 : 1) * patterns[k].size;
+  return at;
+}
+
+Eigen::Vector2d FixedFrame::shares(std::size_t pattern, std::size_t place, double psi) const {
+  const BladePattern& own = patterns[pattern];
+  const BladeFamily& family = families[own.family];
+  const double count = static_cast<double>(family.blades.size());
+  if (own.is_differential) return {(place % 2 == 0 ? 1.0 : -1.0) / std::sqrt(count), 0.0};
+  if (!own.is_pair) return {1.0 / std::sqrt(count), 0.0};
+  const double angle = own.multiple * (family.azimuths[place] + psi);
+  return std::sqrt(2.0 / count) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+}
+
+Eigen::VectorXcd FixedFrame::motion_of(std::size_t subsystem, const Eigen::VectorXcd& x,
+                                       double psi) const {
+  Eigen::VectorXcd y;
+  for (std::size_t k = 0; k < patterns.size(); ++k) {
+    const BladePattern& pattern = patterns[k];
+    const std::vector<std::size_t>& blades = families[pattern.family].blades;
+    const auto found = std::find(blades.begin(), blades.end(), subsystem);
+    if (found == blades.end()) continue;
+    const Eigen::Vector2d share = shares(k, static_cast<std::size_t>(found - blades.begin()), psi);
+    if (y.size() == 0) y = Eigen::VectorXcd::Zero(pattern.size);
+    y += share[0] * x.segment(start(k), pattern.size);
+    if (pattern.is_pair) y += share[1] * x.segment(start(k) + pattern.size, pattern.size);
+  }
+  return y;
+}
+
+FixedFrame make_fixed_frame(const LinearModel& turning, const std::vector<double>& azimuths,
+                            const std::vector<std::string>& names, const StandingAxes& axes) {
+  assert(azimuths.size() == turning.alike.size() && names.size() == turning.alike.size());
+  FixedFrame frame;
+  frame.axes = axes;
+  frame.families = find_families(turning, azimuths, names);
+  frame.model.rate = turning.rate;
+  if (turning.is_coupled()) add_hub(turning, axes, frame.model);
+  for (std::size_t k = 0; k < frame.families.size(); ++k) add_family(k, turning, axes, frame);
+  return frame;
+}
+
+FixedFrame stand_on(const FixedFrame& rotor, const MatrixXd& J, const SecondOrder& support) {
+  const double step = rotor.model.round_off.step.minCoeff();
+  FixedFrame frame = rotor;
+  frame.model.support = steady::LinearSupport{.J = J,
+                                              .M = support.M,
+                                              .C = support.C,
+                                              .K = support.K,
+                                              .step = Eigen::VectorXd::Constant(J.cols(), step)};
+  steady::stand_on(*frame.model.support, frame.model);
+  return frame;
+}
+
+}  // namespace spoke::vibration

@@ -1,0 +1,75 @@
+#pragma once
+
+// Multi-blade coordinates (Coleman's): three or more equal blades at equal angles, seen from
+// outside, have constant matrices on whatever their hub stands.
+//
+// With psi_b the azimuth of blade b, which grows with the rotation, and y_b its coordinates,
+//
+//   y_b = a_0/sqrt(N) + sqrt(2/N) sum_n (a_nc cos n psi_b + a_ns sin n psi_b) + (-1)^b a_d/sqrt(N),
+//
+// n from 1 to below N/2, a_d only if N is even. This is orthonormal, so that masses stay.
+
+#include <string>
+#include <vector>
+
+#include "engine/small_motions/steady/linear_model.h"
+#include "engine/small_motions/vibration/root.h"
+#include "engine/small_motions/vibration/standing_axes.h"
+
+namespace spoke::vibration {
+
+/// Blades that are alike and stand at equal angles.
+struct BladeFamily {
+  std::vector<std::size_t> blades;  ///< subsystems, by ascending azimuth
+  std::vector<double> azimuths;     ///< of these, at azimuth zero of the hub [rad]
+};
+
+/// Coordinates of a family that go together: a_0, a pair a_nc and a_ns below one another, or a_d.
+struct BladePattern {
+  std::size_t family = 0;
+  int multiple = 0;              ///< n; N/2 of a_d
+  bool is_pair = false;          ///< a_nc and a_ns
+  bool is_differential = false;  ///< a_d
+  Eigen::Index size = 0;         ///< coordinates of one blade
+};
+
+/// A rotor seen from outside: a linear model whose hub has coordinates z along standing axes, and
+/// whose subsystems are the patterns of the blades.
+struct FixedFrame {
+  steady::LinearModel model;
+  std::vector<BladeFamily> families;
+  std::vector<BladePattern> patterns;  ///< by subsystem of `model`
+  /// How the first hub coordinates of `model` turn; of a rotor on a support those of the rotor
+  /// alone.
+  StandingAxes axes;
+
+  /// Returns the first coordinate of a pattern in a vector that begins with those of the hub.
+  Eigen::Index start(std::size_t pattern) const;
+  /// Returns the factors of a pattern's parts (a; or a_nc, a_ns) in the motion of a blade of its
+  /// family, by its place there, at an azimuth of the hub [rad].
+  Eigen::Vector2d shares(std::size_t pattern, std::size_t place, double psi = 0.0) const;
+  /// Returns the motion of the coordinates of a subsystem of the rotor, at an azimuth of the hub;
+  /// of none if it is in no family.
+  Eigen::VectorXcd motion_of(std::size_t subsystem, const Eigen::VectorXcd& x,
+                             double psi = 0.0) const;
+};
+
+/// Takes a rotor, linearised in the frame that turns with its hub, to multi-blade coordinates.
+/// `azimuths`, `names`: of its subsystems, the latter for messages; `axes`: of the hub's
+/// coordinates. Throws InputError, which says what to use instead, unless all subsystems with
+/// coordinates are alike in families of three or more at equal angles, and the hub is alike in all
+/// directions across its axis.
+FixedFrame make_fixed_frame(const steady::LinearModel& turning, const std::vector<double>& azimuths,
+                            const std::vector<std::string>& names, const StandingAxes& axes);
+
+/// Puts a rotor on something that moves the hub by x = J z and has matrices of its own: hub
+/// coordinates become z, and its matrices support + J^T rotor J. `support`: about the steady state
+/// in which the rotor's steady wrench acts on it, along standing axes.
+FixedFrame stand_on(const FixedFrame& rotor, const Eigen::MatrixXd& J, const SecondOrder& support);
+
+/// Returns the `count` roots of least magnitude in ascending order, or all if there are fewer, with
+/// vectors of hub and patterns. Patterns that do not meet the hub have problems of their own.
+/// Motions at zero that gyroscopic forces hold in pairs count once.
+std::vector<Root> find_fixed_roots(const FixedFrame& frame, Eigen::Index count);
+
+}  // namespace spoke::vibration

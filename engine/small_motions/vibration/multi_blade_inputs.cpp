@@ -1,0 +1,253 @@
+// Compares the effects of inputs on equal blades, at three azimuths of the hub.
+
+#include "engine/small_motions/vibration/multi_blade_inputs.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+namespace spoke::vibration {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using steady::InputEffect;
+using steady::LoadEffect;
+
+/// Effects are linear in the direction of a load, so that three azimuths say all.
+constexpr int kAzimuths = 3;
+constexpr double kNegligible = 1e-9, kAlikeEffects = 1e-6;  // of effects' sizes
+
+double azimuth_of(int sample) { return 2.0 * std::numbers::pi * sample / kAzimuths; }
+
+/// The effects of all inputs, at each azimuth.
+using Samples = std::array<std::vector<InputEffect>, kAzimuths>;
+
+Samples sample_effects(const Scenario& scenario, const Linearised& all) {
+  Samples samples;
+  for (int k = 0; k < kAzimuths; ++k)
+    samples[static_cast<std::size_t>(k)] =
+        calc_effects_at(azimuth_of(k), scenario, all.equilibrium, all.model);
+  return samples;
+}
+
+bool does_nothing(const LoadEffect& effect) {
+  return effect.force.isZero(0.0) && effect.hub_force.isZero(0.0) && effect.outputs.isZero(0.0);
+}
+
+/// Returns values at the azimuths of the hub as a function of that of a blade, which is `azimuth`
+/// further on.
+Turning see_over_turn(const std::array<VectorXd, kAzimuths>& values, double azimuth) {
+  const MatrixXd zero = MatrixXd::Zero(values[0].size(), 1);
+  Turning found{zero, zero, zero};
+  for (int k = 0; k < kAzimuths; ++k) {
+    const VectorXd& value = values[static_cast<std::size_t>(k)];
+    const double psi = azimuth_of(k) + azimuth;
+    found.mean += value / kAzimuths;
+    found.cosine += 2.0 * std::cos(psi) / kAzimuths * value;
+    found.sine += 2.0 * std::sin(psi) / kAzimuths * value;
+  }
+  const double least =
+      kNegligible * std::max({found.mean.norm(), found.cosine.norm(), found.sine.norm()});
+  for (MatrixXd* part : {&found.mean, &found.cosine, &found.sine})
+    if (part->norm() <= least) part->setZero();
+  return found;
+}
+
+bool is_same(const Turning& a, const Turning& b) {
+  const double size = std::max({a.mean.norm(), a.cosine.norm(), a.sine.norm()});
+  return std::max({(a.mean - b.mean).norm(), (a.cosine - b.cosine).norm(),
+                   (a.sine - b.sine).norm()}) <= kAlikeEffects * size;
+}
+
+/// Finds the inputs of one model.
+class InputFinder {
+ public:
+  InputFinder(const Scenario& scenario, const Linearised& all, const StandingAxes& axes)
+      : all_(all), axes_(axes), samples_(sample_effects(scenario, all)) {}
+
+  void add_family(const BladeFamily& family);
+  /// Adds what acts on a subsystem that is no blade of a family.
+  void add_subsystem(std::size_t i);
+  void add_hub();
+  MultiBladeInputs take() { return std::move(found_); }
+
+ private:
+  /// An input of a blade that has found no place yet.
+  struct Open {
+    std::string name;
+    BladeInput input;
+  };
+
+  std::size_t count() const { return samples_[0].size(); }
+  const LoadEffect& effect(int sample, std::size_t input, std::size_t i) const {
+    return samples_[static_cast<std::size_t>(sample)][input].subsystems[i];
+  }
+  std::array<VectorXd, kAzimuths> at_azimuths(const std::function<VectorXd(int)>& value) const {
+    return {value(0), value(1), value(2)};
+  }
+  BladeInput see_along_blade(std::size_t input, std::size_t i) const;
+  std::vector<Open> list_inputs_of(std::size_t i) const;
+  std::optional<VectorXd> stand(const std::array<VectorXd, kAzimuths>& wrench) const;
+  LinearSignal name(std::size_t input, const std::string& of) const {
+    const LinearSignal& signal = samples_[0][input].input;
+    return {of + " / " + signal.name, signal.unit};
+  }
+
+  const Linearised& all_;
+  const StandingAxes& axes_;
+  Samples samples_;
+  MultiBladeInputs found_;
+};
+
+BladeInput InputFinder::see_along_blade(std::size_t input, std::size_t i) const {
+  const double azimuth = all_.model.azimuth(i);
+  const MatrixXd to_blade = axes_.T.at(azimuth).transpose();
+  const MatrixXd turn = all_.model.turn_outputs(i, azimuth);
+  const MatrixXd& Z = all_.linear.subsystem(i).basis;
+  const MatrixXd following = find_following(i, all_);
+  const auto take = [&](const std::function<VectorXd(const LoadEffect&)>& part) {
+    return see_over_turn(at_azimuths([&](int k) { return part(effect(k, input, i)); }), azimuth);
+  };
+  BladeInput seen{{}, {}, {}, {}};
+  seen.force = take([&](const LoadEffect& by) {
+    return Z.rows() > 0 ? VectorXd(Z.transpose() * by.force) : by.force;
+  });
+  seen.hub = take([&](const LoadEffect& by) {
+    VectorXd on_hub = by.hub_force;
+    if (following.size() > 0) on_hub += following.transpose() * by.force;
+    return VectorXd(to_blade * on_hub);
+  });
+  seen.outputs = take([&](const LoadEffect& by) { return VectorXd(turn * by.outputs); });
+  return seen;
+}
+
+std::vector<InputFinder::Open> InputFinder::list_inputs_of(std::size_t i) const {
+  std::vector<Open> list;
+  for (std::size_t k = 0; k < count(); ++k) {
+    bool acts = false;
+    for (int sample = 0; sample < kAzimuths; ++sample)
+      acts = acts || !does_nothing(effect(sample, k, i));
+    if (!acts) continue;
+    Open& open = list.emplace_back(Open{samples_[0][k].input.name, see_along_blade(k, i)});
+    open.input.input = name(k, all_.model.name_of(i));
+  }
+  return list;
+}
+
+void InputFinder::add_family(const BladeFamily& family) {
+  std::vector<std::vector<Open>> open;
+  for (const std::size_t i : family.blades) open.push_back(list_inputs_of(i));
+  std::vector<BladeInput>& list = found_.families.emplace_back();
+  for (Open& first : open[0]) {
+    // Of inputs that do the same those of one name go together, and loads that name each its own
+    // blade.
+    std::vector<std::vector<Open>::iterator> others;
+    std::string names = first.name;
+    for (std::size_t b = 1; b < open.size(); ++b) {
+      const auto does_same = [&](const Open& other) {
+        return is_same(first.input.force, other.input.force) &&
+               is_same(first.input.hub, other.input.hub);
+      };
+      auto found = std::find_if(open[b].begin(), open[b].end(), [&](const Open& other) {
+        return other.name == first.name && does_same(other);
+      });
+      if (found == open[b].end()) found = std::find_if(open[b].begin(), open[b].end(), does_same);
+      if (found == open[b].end()) break;
+      if (found->name != first.name) names += ", " + found->name;
+      others.push_back(found);
+    }
+    if (others.size() + 1 < open.size()) {
+      found_.left_out.push_back(first.input.input.name);
+      continue;
+    }
+    for (std::size_t b = 1; b < open.size(); ++b) open[b].erase(others[b - 1]);
+    BladeInput& input = list.emplace_back(std::move(first.input));
+    input.input.name = name_family(family, all_.model) + " / " + names;
+  }
+  for (std::size_t b = 1; b < open.size(); ++b)
+    for (const Open& left : open[b]) found_.left_out.push_back(left.input.input.name);
+}
+
+/// Returns the wrench along standing axes; none if it turns.
+std::optional<VectorXd> InputFinder::stand(const std::array<VectorXd, kAzimuths>& wrench) const {
+  VectorXd mean = VectorXd::Zero(wrench[0].size());
+  std::array<VectorXd, kAzimuths> standing;
+  for (std::size_t k = 0; k < kAzimuths; ++k) {
+    standing[k] = axes_.T.at(azimuth_of(static_cast<int>(k))) * wrench[k];
+    mean += standing[k] / kAzimuths;
+  }
+  for (const VectorXd& value : standing)
+    if ((value - mean).norm() > kAlikeEffects * value.norm()) return std::nullopt;
+  return mean;
+}
+
+void InputFinder::add_subsystem(std::size_t i) {
+  for (std::size_t k = 0; k < count(); ++k) {
+    const LoadEffect& first = effect(0, k, i);
+    const LinearSignal signal = name(k, all_.model.name_of(i));
+    if (all_.model.stands(i)) {
+      if (!does_nothing(first))
+        found_.standing.push_back({signal, VectorXd::Zero(axes_.W.rows()), first});
+      continue;
+    }
+    const auto wrench = at_azimuths([&](int s) { return effect(s, k, i).hub_force; });
+    if (std::all_of(wrench.begin(), wrench.end(), [](const VectorXd& w) { return w.isZero(0.0); }))
+      continue;
+    if (const std::optional<VectorXd> standing = stand(wrench))
+      found_.standing.push_back({signal, *standing, {}});
+    else
+      found_.left_out.push_back(signal.name);
+  }
+}
+
+void InputFinder::add_hub() {
+  for (std::size_t k = 0; k < count(); ++k) {
+    const auto wrench =
+        at_azimuths([&](int s) { return samples_[static_cast<std::size_t>(s)][k].hub; });
+    if (std::all_of(wrench.begin(), wrench.end(), [](const VectorXd& w) { return w.isZero(0.0); }))
+      continue;
+    const LinearSignal signal = name(k, "hub");
+    if (const std::optional<VectorXd> standing = stand(wrench))
+      found_.standing.push_back({signal, *standing, {}});
+    else
+      found_.left_out.push_back(signal.name);
+  }
+}
+
+}  // namespace
+
+std::string name_family(const BladeFamily& family, const steady::SteadyModel& model) {
+  std::vector<std::size_t> blades = family.blades;
+  std::sort(blades.begin(), blades.end());
+  return name_subsystems(blades, model);
+}
+
+MatrixXd find_following(std::size_t subsystem, const Linearised& all) {
+  if (!all.linear.is_coupled()) return {};
+  const MatrixXd& by_free = all.linear.couplings[subsystem].following;
+  if (by_free.size() == 0 || all.linear.support) return by_free;
+  MatrixXd following = MatrixXd::Zero(by_free.rows(), all.model.twist_size());
+  following(Eigen::all, all.model.free_components()) = by_free;
+  return following;
+}
+
+MultiBladeInputs find_inputs(const Scenario& scenario, const Linearised& all,
+                             const FixedFrame& frame, const StandingAxes& axes) {
+  InputFinder finder(scenario, all, axes);
+  std::vector<bool> is_blade(all.model.subsystems(), false);
+  for (const BladeFamily& family : frame.families) {
+    finder.add_family(family);
+    for (const std::size_t i : family.blades) is_blade[i] = true;
+  }
+  for (std::size_t i = 0; i < is_blade.size(); ++i)
+    if (!is_blade[i]) finder.add_subsystem(i);
+  if (all.linear.is_coupled()) finder.add_hub();
+  return finder.take();
+}
+
+}  // namespace spoke::vibration

@@ -1,0 +1,384 @@
+// Puts the matrices of patterns of blades, hub and support together.
+
+#include "engine/small_motions/vibration/multi_blade_system.h"
+
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+#include "engine/small_motions/steady/output_derivatives.h"
+#include "engine/small_motions/steady/state_space.h"
+#include "engine/small_motions/vibration/blade_amplitude.h"
+#include "engine/small_motions/vibration/fixed_modes.h"
+#include "engine/small_motions/vibration/multi_blade_inputs.h"
+#include "engine/small_motions/vibration/multi_blade_outputs.h"
+#include "engine/support/dense.h"
+
+namespace spoke::vibration {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Patterns that have a problem of their own, or that meet at the hub.
+struct Group {
+  std::vector<std::size_t> patterns;
+  bool has_hub = false;
+};
+
+class MultiBladeAssembly {
+ public:
+  MultiBladeAssembly(const Scenario& scenario, const Linearised& all)
+      : all_(all),
+        frame_(see_from_outside(all)),
+        axes_(make_standing_axes(list_components(all.model, steady::HubFreedom::all),
+                                 all.model.is_spatial(), all.model.speed())),
+        inputs_(find_inputs(scenario, all, frame_, axes_)),
+        motion_(find_motion()),
+        size_(frame_.start(frame_.patterns.size())) {}
+
+  LinearSystem make();
+
+ private:
+  Index hub_size() const { return frame_.model.M.rows(); }
+  const steady::LinearSupport* support() const {
+    return all_.linear.support ? &*all_.linear.support : nullptr;
+  }
+  bool has_axle() const { return support() && support()->of.back() == "axle"; }
+  double blades_of(std::size_t family) const {
+    return static_cast<double>(frame_.families[family].blades.size());
+  }
+  MatrixXd find_motion() const;
+  std::vector<Amplitude> list_amplitudes(std::size_t family) const;
+  std::vector<Group> list_groups() const;
+
+  void name_states();
+  void add_input(const LinearSignal& signal, const VectorXd& force);
+  void add_blade_inputs(std::size_t family);
+  void add_standing_inputs();
+  void add_hub_inputs();
+  std::vector<Index> list_coordinates(const Group& group) const;
+  SecondOrder assemble(const Group& group, Index size) const;
+  void add_group(const Group& group);
+  void add_hub_rows(Index row, const SecondOrder& by_hub);
+  void add_blade_outputs(std::size_t family);
+  void add_pattern_outputs(std::size_t family, const BladeOutputs& outputs, const Amplitude& to);
+  void add_support_outputs();
+  void add_hub_outputs();
+  void add_output(const LinearSignal& signal) { result_.outputs.push_back(signal); }
+
+  const Linearised& all_;
+  FixedFrame frame_;
+  StandingAxes axes_;  ///< of all components of a twist
+  MultiBladeInputs inputs_;
+  MatrixXd motion_;               ///< how the frame's hub coordinates move the hub, all components
+  Index size_ = 0;                ///< number of all coordinates
+  std::vector<VectorXd> forces_;  ///< of inputs on all coordinates
+  std::vector<std::vector<Amplitude>> amplitudes_;  ///< by family
+  std::vector<Index> first_inputs_;                 ///< of families
+  Index first_standing_ = 0;                        ///< input
+  std::vector<Index> hub_group_;                    ///< coordinates that meet at the hub
+  MatrixXd hub_by_x_, hub_by_rate_, hub_by_input_;  ///< accelerations of the hub's coordinates
+  steady::MatrixEntries A_, B_, C_, D_;
+  LinearSystem result_;
+};
+
+MatrixXd MultiBladeAssembly::find_motion() const {
+  if (support()) return support()->J;
+  const Index d = all_.model.twist_size();
+  const MatrixXd all = MatrixXd::Identity(d, d);
+  return all(Eigen::all, all_.model.free_components());
+}
+
+std::vector<Amplitude> MultiBladeAssembly::list_amplitudes(std::size_t family) const {
+  std::vector<Amplitude> list;
+  for (std::size_t k = 0; k < frame_.patterns.size(); ++k) {
+    const BladePattern& pattern = frame_.patterns[k];
+    if (pattern.family != family) continue;
+    const int n = pattern.multiple;
+    const std::string order = n > 1 ? " order " + std::to_string(n) : "";
+    const Index at = frame_.start(k);
+    if (pattern.is_pair) {
+      list.push_back({k, n, false, false, at, "cosine" + order});
+      list.push_back({k, n, true, false, at + pattern.size, "sine" + order});
+    } else {
+      list.push_back({k, n, false, pattern.is_differential, at,
+                      pattern.is_differential ? "differential" : "collective"});
+    }
+  }
+  return list;
+}
+
+std::vector<Group> MultiBladeAssembly::list_groups() const {
+  std::vector<Group> groups;
+  Group meeting{{}, true};
+  for (std::size_t k = 0; k < frame_.patterns.size(); ++k) {
+    const BladePattern& pattern = frame_.patterns[k];
+    const bool meets =
+        frame_.model.is_coupled() && !pattern.is_differential && pattern.multiple <= 1;
+    if (meets)
+      meeting.patterns.push_back(k);
+    else
+      groups.push_back({{k}, false});
+  }
+  if (frame_.model.is_coupled()) groups.push_back(std::move(meeting));
+  return groups;
+}
+
+void MultiBladeAssembly::name_states() {
+  std::vector<LinearSignal>& states = result_.states;
+  if (support())
+    for (std::size_t k = 0; k < support()->names.size(); ++k)
+      states.push_back({support()->names[k], support()->turns[k] ? "rad" : "m"});
+  else
+    for (const int c : all_.model.free_components())
+      states.push_back(name_hub_motion(c, all_.model));
+  for (std::size_t f = 0; f < frame_.families.size(); ++f) {
+    const BladeFamily& family = frame_.families[f];
+    const std::string of = name_family(family, all_.model) + " / ";
+    for (const Amplitude& amplitude : amplitudes_[f])
+      for (const steady::SubsystemCoordinate& coordinate :
+           list_independent(family.blades[0], all_.linear, all_.model))
+        states.push_back(
+            {of + coordinate.name + ' ' + amplitude.name, coordinate.turns ? "rad" : "m"});
+  }
+  assert(std::ssize(states) == size_);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(size_); ++k)
+    states.push_back(steady::rate_of(states[k]));
+}
+
+void MultiBladeAssembly::add_input(const LinearSignal& signal, const VectorXd& force) {
+  result_.inputs.push_back(signal);
+  forces_.push_back(force);
+}
+
+/// Adds the amplitudes of inputs of blades: forces on each amplitude of the motion, by the equation
+/// of one blade, and on the hub the sum over the blades.
+void MultiBladeAssembly::add_blade_inputs(std::size_t family) {
+  first_inputs_.push_back(std::ssize(forces_));
+  for (const BladeInput& input : inputs_.families[family])
+    for (const Amplitude& by : amplitudes_[family]) {
+      VectorXd force = VectorXd::Zero(size_);
+      for (const Amplitude& to : amplitudes_[family])
+        force.segment(to.at, input.force.mean.rows()) = to.size() * average(to, by).of(input.force);
+      if (!by.is_differential && hub_size() > 0)
+        force.head(hub_size()) =
+            blades_of(family) * motion_.transpose() * average_on_hub(axes_.T, input.hub, by);
+      add_input({input.input.name + ' ' + by.name, input.input.unit}, force);
+    }
+}
+
+void MultiBladeAssembly::add_standing_inputs() {
+  first_standing_ = std::ssize(forces_);
+  for (const StandingInput& input : inputs_.standing) {
+    VectorXd force = VectorXd::Zero(size_);
+    if (hub_size() > 0) force.head(hub_size()) = motion_.transpose() * input.hub;
+    if (input.support.force.size() > 0)
+      force.head(hub_size()) += support()->motion.transpose() * input.support.force +
+                                support()->base.transpose() * input.support.hub_force;
+    add_input(input.input, force);
+  }
+}
+
+/// Adds the forces on the hub along standing axes, and the torque between hub and carrier.
+void MultiBladeAssembly::add_hub_inputs() {
+  for (const int c : all_.model.free_components()) {
+    VectorXd force = VectorXd::Zero(size_);
+    force.head(hub_size()) = motion_.row(c).transpose();
+    add_input(name_hub_effort(c, all_.model), force);
+  }
+  if (has_axle()) add_input({"axle / torque", "N m"}, VectorXd::Unit(size_, hub_size() - 1));
+}
+
+/// Returns the numbers of a group's coordinates among all: the hub's first.
+std::vector<Index> MultiBladeAssembly::list_coordinates(const Group& group) const {
+  std::vector<Index> at;
+  const auto append = [&at](Index first, Index count) {
+    for (Index k = 0; k < count; ++k) at.push_back(first + k);
+  };
+  if (group.has_hub) append(0, hub_size());
+  for (const std::size_t k : group.patterns)
+    append(frame_.start(k), frame_.model.subsystem(k).M.rows());
+  return at;
+}
+
+/// Returns the matrices of a group. Amplitudes are 1/sqrt(N), or of pairs sqrt(2/N), of the frame's
+/// orthonormal coordinates, and so are their equations.
+SecondOrder MultiBladeAssembly::assemble(const Group& group, Index size) const {
+  const steady::LinearModel& model = frame_.model;
+  const MatrixXd zero = MatrixXd::Zero(size, size);
+  SecondOrder all{zero, zero, zero};
+  const Index h = group.has_hub ? hub_size() : 0;
+  if (group.has_hub) {
+    all.M.topLeftCorner(h, h) = model.M;
+    all.C.topLeftCorner(h, h) = model.C;
+    all.K.topLeftCorner(h, h) = model.K;
+  }
+  Index row = h;
+  for (const std::size_t k : group.patterns) {
+    const steady::LinearSubsystem& own = model.subsystem(k);
+    const Index rows = own.M.rows();
+    all.M.block(row, row, rows, rows) = own.M;
+    all.C.block(row, row, rows, rows) = own.C;
+    all.K.block(row, row, rows, rows) = own.K;
+    if (group.has_hub) {
+      const steady::HubCoupling& hub = model.couplings[k];
+      const BladePattern& pattern = frame_.patterns[k];
+      const double scale = std::sqrt(blades_of(pattern.family) / (pattern.is_pair ? 2.0 : 1.0));
+      const auto couple = [&](const MatrixXd& bh, const MatrixXd& hb, MatrixXd& whole) {
+        whole.block(row, 0, rows, h) = bh / scale;
+        whole.block(0, row, h, rows) = hb * scale;
+      };
+      couple(hub.M_bh, hub.M_hb, all.M);
+      couple(hub.C_bh, hub.C_hb, all.C);
+      couple(hub.K_bh, hub.K_hb, all.K);
+    }
+    row += rows;
+  }
+  return all;
+}
+
+/// Adds the rows of A and B of coordinates that move together: x'' = -M^-1 (K x + C x' - F u).
+void MultiBladeAssembly::add_group(const Group& group) {
+  const std::vector<Index> at = list_coordinates(group);
+  const Index n = std::ssize(at), inputs = std::ssize(forces_);
+  if (group.has_hub) steady::require_few_coupled(n);
+  const SecondOrder own = assemble(group, n);
+  const LuFactors mass(own.M);
+  const MatrixXd by_x = -mass.solve(own.K), by_rate = -mass.solve(own.C);
+  MatrixXd F(n, inputs), by_input(n, inputs);
+  std::vector<Index> columns;
+  for (Index k = 0; k < inputs; ++k) {
+    F.col(k) = forces_[static_cast<std::size_t>(k)](at);
+    columns.push_back(k);
+  }
+  if (inputs > 0) by_input = mass.solve(F);  // Eigen does not solve for empty blocks
+  A_.add(0, at, size_, at, MatrixXd::Identity(n, n));
+  A_.add(size_, at, 0, at, by_x);
+  A_.add(size_, at, size_, at, by_rate);
+  B_.add(size_, at, 0, columns, by_input);
+  if (!group.has_hub) return;
+  hub_group_ = at;
+  hub_by_x_ = by_x.topRows(hub_size());
+  hub_by_rate_ = by_rate.topRows(hub_size());
+  hub_by_input_ = by_input.topRows(hub_size());
+}
+
+/// Adds what outputs from `row` on show of the hub's coordinates, by these, their rates and their
+/// accelerations.
+void MultiBladeAssembly::add_hub_rows(Index row, const SecondOrder& by_hub) {
+  C_.add(row, 0, by_hub.K);
+  C_.add(row, size_, by_hub.C);
+  std::vector<Index> rows;
+  for (Index k = 0; k < by_hub.M.rows(); ++k) rows.push_back(k);
+  C_.add(row, rows, 0, hub_group_, by_hub.M * hub_by_x_);
+  C_.add(row, rows, size_, hub_group_, by_hub.M * hub_by_rate_);
+  D_.add(row, 0, by_hub.M * hub_by_input_);
+}
+
+/// Adds an amplitude of what blades show: as y = a_c cos n psi + a_s sin n psi,
+/// y' = (a_c' + n W a_s) cos n psi + (a_s' - n W a_c) sin n psi.
+void MultiBladeAssembly::add_pattern_outputs(std::size_t family, const BladeOutputs& outputs,
+                                             const Amplitude& to) {
+  const Index row = std::ssize(result_.outputs);
+  const std::string of = name_family(frame_.families[family], all_.model) + " / ";
+  for (const LinearSignal& signal : outputs.signals)
+    add_output({of + signal.name + ' ' + to.name, signal.unit});
+  C_.add(row, to.at, outputs.by_y);
+  C_.add(row, size_ + to.at, outputs.by_rate);
+  if (to.size() > 1.0) {
+    const Index partner = outputs.by_y.cols();
+    const double rate = to.multiple * axes_.speed;
+    if (to.is_sine)
+      C_.add(row, to.at - partner, -rate * outputs.by_rate);
+    else
+      C_.add(row, to.at + partner, rate * outputs.by_rate);
+  }
+  const std::vector<BladeInput>& inputs = inputs_.families[family];
+  const std::vector<Amplitude>& amplitudes = amplitudes_[family];
+  Index column = first_inputs_[family];
+  for (const BladeInput& input : inputs)
+    for (const Amplitude& by : amplitudes) {
+      const MatrixXd shown = to.size() * average(to, by).of(input.outputs);
+      D_.add(row, column++, shown(outputs.shown, Eigen::all));
+    }
+  if (hub_size() == 0 || to.is_differential || to.multiple > 1) return;
+  const MatrixXd turn = (to.multiple == 0 ? axes_.T.mean
+                         : to.is_sine     ? MatrixXd(axes_.T.sine.transpose())
+                                          : axes_.T.cosine) *
+                        motion_;
+  const SecondOrder& by = outputs.by_hub;
+  add_hub_rows(row, {by.M * turn, by.C * turn, by.K * turn});
+}
+
+void MultiBladeAssembly::add_blade_outputs(std::size_t family) {
+  const BladeOutputs outputs = find_outputs(frame_.families[family], all_, axes_, result_.left_out);
+  for (const Amplitude& to : amplitudes_[family]) add_pattern_outputs(family, outputs, to);
+}
+
+/// Adds what sensors on the support show, and the coordinates of its joints.
+void MultiBladeAssembly::add_support_outputs() {
+  const std::size_t i = all_.model.subsystems() - 1;
+  const steady::OutputDerivatives by =
+      calc_output_derivatives(i, steady::make_state(all_.equilibrium.q[i]), all_.model);
+  const Index row = std::ssize(result_.outputs);
+  const MatrixXd& motion = support()->motion;
+  const MatrixXd& base = support()->base;
+  for (const LinearSignal& signal : all_.model.outputs(i)) add_output(signal);
+  add_hub_rows(row, {by.by_acceleration * base, by.by_v * motion + by.by_twist * base,
+                     by.by_q * motion + by.by_turn * base});
+  Index column = first_standing_;
+  for (const StandingInput& input : inputs_.standing) {
+    if (input.support.outputs.size() > 0) D_.add(row, column, input.support.outputs);
+    ++column;
+  }
+  for (std::size_t k = 0; k < all_.model.coordinates(i).size(); ++k) {
+    const steady::SubsystemCoordinate& coordinate = all_.model.coordinates(i)[k];
+    if (coordinate.node >= 0) continue;
+    C_.add(std::ssize(result_.outputs), 0, motion.row(static_cast<Index>(k)));
+    add_output({all_.model.name_of(i) + " / " + coordinate.name, coordinate.turns ? "rad" : "m"});
+  }
+}
+
+/// Adds the motion of the hub along standing axes.
+void MultiBladeAssembly::add_hub_outputs() {
+  for (const int c : all_.model.free_components()) {
+    const LinearSignal moved = name_hub_motion(c, all_.model);
+    C_.add(std::ssize(result_.outputs), 0, motion_.row(c));
+    add_output(moved);
+    C_.add(std::ssize(result_.outputs), size_, motion_.row(c));
+    add_output(steady::rate_of(moved));
+  }
+}
+
+LinearSystem MultiBladeAssembly::make() {
+  result_.frame = ModeFrame::fixed;
+  const std::size_t families = frame_.families.size();
+  for (std::size_t f = 0; f < families; ++f) amplitudes_.push_back(list_amplitudes(f));
+  name_states();
+  for (std::size_t f = 0; f < families; ++f) add_blade_inputs(f);
+  add_standing_inputs();
+  if (hub_size() > 0) add_hub_inputs();
+  for (const Group& group : list_groups()) add_group(group);
+  for (std::size_t f = 0; f < families; ++f) add_blade_outputs(f);
+  if (support()) add_support_outputs();
+  if (hub_size() > 0) add_hub_outputs();
+  const Index inputs = std::ssize(result_.inputs), outputs = std::ssize(result_.outputs);
+  result_.A = A_.matrix(2 * size_, 2 * size_);
+  result_.B = B_.matrix(2 * size_, inputs);
+  result_.C = C_.matrix(outputs, 2 * size_);
+  result_.D = D_.matrix(outputs, inputs);
+  const std::vector<std::string>& more = all_.model.other_sensors();
+  result_.left_out.insert(result_.left_out.end(), more.begin(), more.end());
+  result_.left_out_inputs = std::move(inputs_.left_out);
+  return std::move(result_);
+}
+
+}  // namespace
+
+LinearSystem make_multi_blade_system(const Scenario& scenario, const Linearised& all) {
+  return MultiBladeAssembly(scenario, all).make();
+}
+
+}  // namespace spoke::vibration

@@ -1,0 +1,176 @@
+// Finds which bodies the loops of a subsystem load, which loops meet, and in what order their rows
+// are eliminated; allocates them.
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "engine/step/formulation/loops.h"
+
+namespace spoke {
+namespace {
+
+/// Finds the bodies that carry a loop, and the joints of their children.
+template <class World>
+LoopPath find_path(const Subsystem<World>& subsystem, const LoopModel& loop) {
+  LoopPath path;
+  path.rows = static_cast<int>(loop.rows.size());
+  for (const LoopPlaceModel* place : {&loop.from, &loop.to})
+    for (int j = place->body; j >= 0; j = subsystem.bodies[static_cast<std::size_t>(j)].parent)
+      path.bodies.push_back(j);
+  std::sort(path.bodies.begin(), path.bodies.end(), std::greater<>());
+  path.bodies.erase(std::unique(path.bodies.begin(), path.bodies.end()), path.bodies.end());
+  for (const int j : path.bodies) {
+    const TreeBody<World>& body = subsystem.bodies[static_cast<std::size_t>(j)];
+    for (std::size_t o = body.children.size(); o > 0; --o) {
+      const int child = body.children[o - 1];
+      path.joints.push_back({j, child, static_cast<int>(o), path.place_of(child)});
+    }
+    path.handles = std::max(path.handles, static_cast<int>(body.children.size()) + 1);
+    if (body.parent < 0) path.roots.push_back(j);
+  }
+  return path;
+}
+
+/// Finds paths and how rows take part. Columns of loops follow one another.
+template <class World>
+void list_paths(const Subsystem<World>& subsystem, LoopData<World>& loops) {
+  int first_row = 0;
+  std::size_t first_joint = 0, first_branch = 0, first_handle = 0;
+  for (const LoopModel& loop : subsystem.loops) {
+    LoopPath& path = loops.paths.emplace_back(find_path(subsystem, loop));
+    path.first_row = std::exchange(first_row, first_row + path.rows);
+    path.first_joint = std::exchange(first_joint, first_joint + path.columns());
+    path.first_branch = std::exchange(first_branch, first_branch + path.branches());
+    path.first_handle =
+        std::exchange(first_handle, first_handle + static_cast<std::size_t>(path.handles));
+    loops.last_body = std::max({loops.last_body, loop.from.body, loop.to.body});
+    for (const LoopRow& row : loop.rows)
+      loops.use.push_back(row.is_rigid() ? LoopRowUse::solved : LoopRowUse::sprung);
+  }
+}
+
+/// Finds which loops share a body: those that share a root, since a path leads to its roots.
+template <class World>
+void list_meetings(const Subsystem<World>& subsystem, LoopData<World>& loops) {
+  std::vector<std::vector<int>> at_root(subsystem.bodies.size());
+  for (std::size_t k = 0; k < loops.paths.size(); ++k) {
+    std::vector<int>& own = loops.meets.emplace_back();
+    for (const int root : loops.paths[k].roots) {
+      std::vector<int>& there = at_root[static_cast<std::size_t>(root)];
+      there.push_back(static_cast<int>(k));
+      own.insert(own.end(), there.begin(), there.end());
+    }
+    std::sort(own.begin(), own.end());
+    own.erase(std::unique(own.begin(), own.end()), own.end());
+  }
+}
+
+/// Orders the rows, and returns the first column of each in this order.
+template <class World>
+std::vector<int> order_rows(LoopData<World>& loops) {
+  const std::size_t count = loops.paths.size();
+  std::vector<std::vector<int>> neighbours(count);
+  std::vector<int> sizes;
+  for (std::size_t a = 0; a < count; ++a) {
+    sizes.push_back(loops.paths[a].rows);
+    for (const int b : loops.meets[a]) {
+      if (std::cmp_equal(a, b)) continue;
+      neighbours[a].push_back(b);
+      neighbours[static_cast<std::size_t>(b)].push_back(static_cast<int>(a));
+    }
+  }
+  loops.place_of.resize(loops.use.size());
+  for (const int k : find_low_order(neighbours, sizes)) {
+    const LoopPath& path = loops.paths[static_cast<std::size_t>(k)];
+    for (int row = path.first_row; row < path.first_row + path.rows; ++row) {
+      loops.place_of[static_cast<std::size_t>(row)] = static_cast<int>(loops.row_at.size());
+      loops.row_at.push_back(row);
+    }
+  }
+  std::vector<int> first(loops.use.size());
+  for (std::size_t a = 0; a < count; ++a) {
+    const auto place_of_loop = [&loops](std::size_t k) {
+      return loops.place_of[static_cast<std::size_t>(loops.paths[k].first_row)];
+    };
+    int column = place_of_loop(a);
+    for (const int b : neighbours[a])
+      column = std::min(column, place_of_loop(static_cast<std::size_t>(b)));
+    const auto begin = first.begin() + place_of_loop(a);
+    std::fill(begin, begin + loops.paths[a].rows, column);
+  }
+  return first;
+}
+
+}  // namespace
+
+template <class World>
+void allocate_loops(const Subsystem<World>& subsystem, SubsystemData<World>& data) {
+  LoopData<World>& loops = data.loops;
+  loops = {};
+  loops.rows = subsystem.loop_rows();
+  if (loops.rows == 0) return;
+  list_paths(subsystem, loops);
+  list_meetings(subsystem, loops);
+  Arena& arena = *data.arena;
+  const TwistOf<World> none = TwistOf<World>::Zero();
+  const auto rows = static_cast<std::size_t>(loops.rows);
+  const LoopPath& last = loops.paths.back();
+  loops.poses = ArenaVector<PoseOf<World>>(data.bodies.size(), arena);
+  loops.accelerations = ArenaVector<TwistOf<World>>(data.bodies.size(), none, arena);
+  loops.states = ArenaVector<LoopRowState<World>>(rows, arena);
+  for (auto* of_joints : {&loops.joints, &loops.joint_forces})
+    *of_joints = ArenaVector<TwistOf<World>>(last.first_joint + last.columns(), none, arena);
+  loops.hub = ArenaVector<TwistOf<World>>(rows, none, arena);
+  loops.free = ArenaVector<double>(rows, 0.0, arena);
+  loops.branches = ArenaVector<TwistOf<World>>(last.first_branch + last.branches(), none, arena);
+  loops.scratch = ArenaVector<TwistOf<World>>(
+      last.first_handle + static_cast<std::size_t>(last.handles), none, arena);
+  loops.matrix = Skyline(order_rows(loops), arena);
+  loops.half_hub = ArenaVector<TwistOf<World>>(rows, none, arena);
+  loops.half = ArenaVector<double>(rows, 0.0, arena);
+  for (auto* pivots : {&loops.pivots, &loops.first_explicit, &loops.first_implicit})
+    *pivots = ArenaVector<double>(rows, 1.0, arena);
+  loops.multipliers = ArenaVector<double>(rows, 0.0, arena);
+  loops.kept_multipliers = ArenaVector<double>(rows, 0.0, arena);
+  const PartMaker& maker = data.part_maker;
+  LoopParts& parts = data.parts.loops;
+  parts.motion = maker.cover(
+      "loop motion", Mark::none, loops.poses,
+      memory_of(loops.accelerations.data(), static_cast<std::size_t>(loops.last_body + 1)),
+      loops.states);
+  parts.factor = maker.cover("loop factor", Mark::none, loops.multipliers);
+  parts.report = maker.cover("loop report", Mark::reported, loops.report);
+  maker.add(data.parts.joint_loads, loops.kept_multipliers);
+}
+
+template <class World>
+graph::PartId declare_loop_rows(std::size_t k, SubsystemData<World>& data) {
+  LoopData<World>& loops = data.loops;
+  const auto rows = static_cast<std::size_t>(loops.paths[k].rows);
+  const int row = loops.paths[k].first_row;
+  data.parts.loops.columns.push_back(
+      maker_of_loop(k, data).cover("columns", Mark::none, memory_of(loops.hub.data() + row, rows),
+                                   memory_of(loops.free.data() + row, rows)));
+  return data.parts.loops.columns.back();
+}
+
+template <class World>
+void declare_loop_matrix(SubsystemData<World>& data) {
+  LoopData<World>& loops = data.loops;
+  if (loops.is_empty()) return;
+  const PartMaker& maker = data.part_maker;
+  LoopParts& parts = data.parts.loops;
+  maker.add(parts.factor, loops.matrix.values(), loops.half_hub, loops.half, loops.pivots);
+  parts.first_pivots =
+      maker.cover("first pivots of loops", Mark::state, loops.first_explicit, loops.first_implicit);
+}
+
+template graph::PartId declare_loop_rows(std::size_t, SubsystemData<Plane>&);
+template graph::PartId declare_loop_rows(std::size_t, SubsystemData<Space>&);
+template void declare_loop_matrix(SubsystemData<Plane>&);
+template void declare_loop_matrix(SubsystemData<Space>&);
+template void allocate_loops(const Subsystem<Plane>&, SubsystemData<Plane>&);
+template void allocate_loops(const Subsystem<Space>&, SubsystemData<Space>&);
+
+}  // namespace spoke

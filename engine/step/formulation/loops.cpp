@@ -1,0 +1,169 @@
+// Solves for the forces of loops, and hands these to the bodies.
+
+#include "engine/step/formulation/loops.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "engine/step/formulation/tree_joints.h"
+
+namespace spoke {
+namespace {
+
+/// Sets the forces of springs that are given; others are zero.
+template <class World>
+void put_given_forces(bool is_implicit, LoopData<World>& loops) {
+  for (std::size_t r = 0; r < loops.multipliers.size(); ++r)
+    loops.multipliers[r] = is_solved(loops.use[r], is_implicit) ? 0.0 : loops.states[r].force;
+}
+
+/// Takes rows out of the matrix whose forces are no unknowns; what these do goes to the other
+/// side of the rows that stay.
+template <class World>
+void take_out(bool is_implicit, LoopData<World>& loops) {
+  const auto row_at = [&loops](int p) {
+    return static_cast<std::size_t>(loops.row_at[static_cast<std::size_t>(p)]);
+  };
+  for (int p = 0; p < loops.rows; ++p) {
+    const std::size_t r = row_at(p);
+    const bool is_in = is_solved(loops.use[r], is_implicit);
+    for (int q = loops.matrix.first(p); q <= p; ++q) {
+      const std::size_t c = row_at(q);
+      const bool other_is_in = is_solved(loops.use[c], is_implicit);
+      if (is_in && other_is_in) continue;
+      double& entry = loops.matrix.entry(p, q);
+      if (is_in) loops.half[static_cast<std::size_t>(p)] -= entry * loops.multipliers[c];
+      if (other_is_in) loops.half[static_cast<std::size_t>(q)] -= entry * loops.multipliers[r];
+      entry = p == q ? 1.0 : 0.0;
+    }
+  }
+}
+
+/// Keeps the pivots of the passes at the start, before the first step.
+template <class World>
+void keep_first_pivots(const StepProgress& progress, LoopData<World>& loops) {
+  if (progress.step > 0 || !progress.control.is_between_steps()) return;
+  auto& first = progress.control.is_implicit ? loops.first_implicit : loops.first_explicit;
+  std::copy(loops.pivots.begin(), loops.pivots.end(), first.begin());
+}
+
+}  // namespace
+
+template <class World>
+void factorise_loops(SubsystemData<World>& data) noexcept {
+  LoopData<World>& loops = data.loops;
+  const bool is_implicit = data.progress->control.is_implicit;
+  EffectiveInertia<World>& effective = data.effective;
+  put_given_forces(is_implicit, loops);
+  for (int row = 0; row < loops.rows; ++row) {
+    const auto r = static_cast<std::size_t>(row);
+    const auto p = static_cast<std::size_t>(loops.place_of[r]);
+    const bool is_unknown = is_solved(loops.use[r], is_implicit);
+    effective.force += loops.multipliers[r] * loops.hub[r];  // of springs that are given
+    loops.half[p] = is_unknown ? loops.states[r].target - loops.free[r] : 0.0;
+    loops.half_hub[p] = is_unknown ? loops.hub[r] : TwistOf<World>(TwistOf<World>::Zero());
+  }
+  take_out(is_implicit, loops);
+  for (int r = 0; r < loops.rows; ++r)
+    loops.entry(r, r) += loops.states[static_cast<std::size_t>(r)].compliance;
+  loops.matrix.factorise(loops.pivots);
+  keep_first_pivots(*data.progress, loops);
+  loops.matrix.solve_lower(loops.half);
+  loops.matrix.solve_lower(loops.half_hub);
+  for (std::size_t p = 0; p < loops.half.size(); ++p) {
+    effective.mass += loops.half_hub[p] * loops.half_hub[p].transpose();
+    effective.force += loops.half[p] * loops.half_hub[p];
+  }
+}
+
+template <class World>
+void calc_loop_forces(SubsystemData<World>& data) noexcept {
+  LoopData<World>& loops = data.loops;
+  const bool is_implicit = data.progress->control.is_implicit;
+  const TwistOf<World>& hub = *data.hub_acceleration;
+  for (std::size_t p = 0; p < loops.half.size(); ++p) loops.half[p] -= loops.half_hub[p].dot(hub);
+  loops.matrix.solve_upper(loops.half);
+  for (std::size_t r = 0; r < loops.multipliers.size(); ++r)
+    if (is_solved(loops.use[r], is_implicit))
+      loops.multipliers[r] = loops.half[static_cast<std::size_t>(loops.place_of[r])];
+}
+
+template <class World>
+void put_loop_wrenches(const Subsystem<World>& subsystem, SubsystemData<World>& data) noexcept {
+  LoopData<World>& loops = data.loops;
+  for (std::size_t k = 0; k < subsystem.loops.size(); ++k) {
+    const LoopModel& loop = subsystem.loops[k];
+    const LoopPath& path = loops.paths[k];
+    TwistOf<World> from = TwistOf<World>::Zero(), to = from;
+    for (int row = 0; row < path.rows; ++row) {
+      const auto r = static_cast<std::size_t>(path.first_row + row);
+      from += loops.multipliers[r] * loops.states[r].from;
+      to += loops.multipliers[r] * loops.states[r].to;
+    }
+    // In space loops have handles of their own; in the plane a joint may be at the same one.
+    const auto put = [&data](const LoopPlaceModel& place, const TwistOf<World>& wrench) {
+      if (place.carrier != LoopPlace::Carrier::body) return;
+      TwistOf<World>& on_handle =
+          wrench_on(data, static_cast<std::size_t>(place.body), place.handle);
+      if constexpr (tree::kHasJointCoordinates<World>)
+        on_handle = wrench;
+      else
+        on_handle += wrench;
+    };
+    put(loop.from, from);
+    put(loop.to, to);
+  }
+}
+
+template <class World>
+void report_loops(const Subsystem<World>& subsystem, double length,
+                  SubsystemData<World>& data) noexcept {
+  LoopData<World>& loops = data.loops;
+  const bool is_implicit = data.progress->control.is_implicit;
+  const auto& first = is_implicit ? loops.first_implicit : loops.first_explicit;
+  LoopReport report{};
+  report.least_pivot = 1.0;
+  report.row = -1;
+  bool is_finite = true;
+  std::size_t r = 0;
+  for (const LoopModel& loop : subsystem.loops)
+    for (const LoopRow& row : loop.rows) {
+      const LoopRowState<World>& state = loops.states[r];
+      const LoopRowUse use = loops.use[r];
+      report.power -= loops.multipliers[r] * state.given_rate;
+      if (use == LoopRowUse::sprung) report.dissipation += row.damping * state.rate * state.rate;
+      const double opening = std::abs(state.opening) / (row.is_length() ? length : 1.0);
+      if (use == LoopRowUse::solved) report.opening = std::max(report.opening, opening);
+      if (use == LoopRowUse::dropped) report.dropped = std::max(report.dropped, opening);
+      is_finite = is_finite && std::isfinite(loops.multipliers[r] + opening);
+      const auto p = static_cast<std::size_t>(loops.place_of[r]);
+      const double left = loops.pivots[p] / first[p];
+      if (is_solved(use, is_implicit) && !(left >= report.least_pivot)) {
+        report.least_pivot = left;
+        report.row = static_cast<std::int64_t>(r);
+      }
+      ++r;
+    }
+  report.is_finite = is_finite && report.least_pivot > 0.0 ? 1 : 0;
+  loops.report = report;
+}
+
+template <class World>
+void keep_loop_loads(SubsystemData<World>& data) noexcept {
+  LoopData<World>& loops = data.loops;
+  std::copy(loops.multipliers.begin(), loops.multipliers.end(), loops.kept_multipliers.begin());
+}
+
+template void factorise_loops(SubsystemData<Plane>&) noexcept;
+template void calc_loop_forces(SubsystemData<Plane>&) noexcept;
+template void put_loop_wrenches(const Subsystem<Plane>&, SubsystemData<Plane>&) noexcept;
+template void report_loops(const Subsystem<Plane>&, double, SubsystemData<Plane>&) noexcept;
+template void keep_loop_loads(SubsystemData<Plane>&) noexcept;
+template void factorise_loops(SubsystemData<Space>&) noexcept;
+template void calc_loop_forces(SubsystemData<Space>&) noexcept;
+template void put_loop_wrenches(const Subsystem<Space>&, SubsystemData<Space>&) noexcept;
+template void report_loops(const Subsystem<Space>&, double, SubsystemData<Space>&) noexcept;
+template void keep_loop_loads(SubsystemData<Space>&) noexcept;
+
+}  // namespace spoke

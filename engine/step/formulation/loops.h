@@ -1,0 +1,70 @@
+#pragma once
+
+// The forces that close the loops of a subsystem (docs/formulation.md, section 12). With D what
+// unit forces do to the rows' relative accelerations while the hub is at rest, N what the hub's
+// acceleration does, and free what happens without either,
+//   (D + compliance) lambda + free + N Y'' = target
+// so that the hub feels, besides the tree's,
+//   M^C += N^T D^-1 N,   Q^C += N^T D^-1 (target - free)
+// D, N and free come from the formulation: loop columns. The rest is common to `structured` and
+// `subsystem`; `augmented` has the rows in its one system.
+
+#include <string>
+
+#include "engine/bodies/table/step_data.h"
+
+namespace spoke {
+
+/// Allocates the loops of a subsystem; all rows take part.
+template <class World>
+void allocate_loops(const Subsystem<World>& subsystem, SubsystemData<World>& data);
+
+// Declare parts of loops that a formulation solves for.
+
+/// Returns what declares the parts of loop k.
+template <class World>
+PartMaker maker_of_loop(std::size_t k, const SubsystemData<World>& data) {
+  return data.part_maker.of("loop " + std::to_string(k + 1));
+}
+/// Declares the columns of loop k, as far as both formulations have them, and returns their part.
+template <class World>
+graph::PartId declare_loop_rows(std::size_t k, SubsystemData<World>& data);
+/// Declares the matrix of all loops, and its factor.
+template <class World>
+void declare_loop_matrix(SubsystemData<World>& data);
+
+/// Whether a row's force is an unknown of the pass.
+inline bool is_solved(LoopRowUse use, bool is_implicit) {
+  return use == LoopRowUse::solved || (use == LoopRowUse::sprung && is_implicit);
+}
+
+/// Calls `visit(place, wrench of the unit force)` for the places of a row on bodies.
+template <class World, class Visit>
+void for_places_on_bodies(const LoopModel& loop, const LoopRowState<World>& row, Visit&& visit) {
+  visit(loop.from, row.from);
+  if (loop.to.carrier == LoopPlace::Carrier::body) visit(loop.to, row.to);
+}
+
+/// Factorises D, which `loops.matrix` holds (its lower triangle), and adds to effective mass and
+/// force.
+template <class World>
+void factorise_loops(SubsystemData<World>& data) noexcept;
+
+/// Sets the multipliers of all rows, from the hub's acceleration.
+template <class World>
+void calc_loop_forces(SubsystemData<World>& data) noexcept;
+
+/// Adds the forces of the loops to the wrenches on the handles of bodies, behind those of joints.
+template <class World>
+void put_loop_wrenches(const Subsystem<World>& subsystem, SubsystemData<World>& data) noexcept;
+
+/// Sums what the loops did in the pass. `length`: of the model, by which openings are measured [m].
+template <class World>
+void report_loops(const Subsystem<World>& subsystem, double length,
+                  SubsystemData<World>& data) noexcept;
+
+/// Keeps the multipliers of the last evaluation of a step.
+template <class World>
+void keep_loop_loads(SubsystemData<World>& data) noexcept;
+
+}  // namespace spoke
