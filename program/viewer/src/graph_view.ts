@@ -1,6 +1,6 @@
 // The step graph on a canvas: one pass, its nodes in lanes by blade and rows by level.
 import { Glide } from './glide';
-import { arrowHead, fitting, Layers, onDrag } from './layers';
+import { arrowHead, fitting, Layers, onDrag, widthOf } from './layers';
 import { GraphLayout } from './layout';
 import { Palette, Paint } from './palette';
 import { Recording } from './recording';
@@ -10,6 +10,7 @@ import { subsystemName } from './trace';
 
 const kHeader = 24;
 const kMargin = 14;
+const kRowNameSize = 11;
 const kKeys = 'Arrow keys follow edges and walk along a row, plus and minus zoom, 0 fits, shift and arrows pan, escape clears.';
 
 export class GraphView extends Layers {
@@ -83,8 +84,11 @@ export class GraphView extends Layers {
     return { x: this.left + this.layout.x[node] * this.scale, y: this.top + this.layout.y[node] * this.scale };
   }
 
+  /** The room for the names of rows at the left: as wide as the widest, none where the graph needs it all. */
   private gutter(): number {
-    return this.width > 330 ? 78 : 0;
+    if (this.width <= 330) return 0;
+    const widest = Math.max(...this.recording.trace.stages.map((stage) => widthOf(stage) * kRowNameSize));
+    return Math.min(Math.max(78, widest + 12), this.width / 3);
   }
 
   private pan(dx: number, dy: number): void {
@@ -366,7 +370,7 @@ export class GraphView extends Layers {
   private drawRowNames(context: CanvasRenderingContext2D): void {
     if (this.gutter() === 0) return;
     const { stages } = this.recording.trace;
-    context.font = `500 11px ${this.palette.theme.font}`;
+    context.font = `500 ${kRowNameSize}px ${this.palette.theme.font}`;
     context.textAlign = 'right';
     let lowest = kHeader + 4;
     for (const row of this.layout.rows) {

@@ -108,7 +108,7 @@ const widths = new Map<string, number>();
 let measure: CanvasRenderingContext2D | null = null;
 
 /** The width of a text in a bold font of one pixel. */
-function widthOf(text: string): number {
+export function widthOf(text: string): number {
   let width = widths.get(text);
   if (width === undefined) {
     if (!measure) {
