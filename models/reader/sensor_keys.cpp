@@ -7,6 +7,7 @@
 
 #include "models/reader/keys/simulation_keys.h"
 #include "models/reader/row_reader.h"
+#include "models/sensor_quantities.h"
 #include "models/support/nearest_name.h"
 
 namespace spoke {
@@ -14,34 +15,25 @@ namespace {
 
 constexpr std::size_t kMostValues = 1'000'000;
 
-constexpr std::initializer_list<SensorQuantity> kQuantities{
-    SensorQuantity::displacement,  SensorQuantity::velocity,       SensorQuantity::acceleration,
-    SensorQuantity::section_force, SensorQuantity::joint_reaction, SensorQuantity::hub_reaction,
-    SensorQuantity::momentum,      SensorQuantity::blade_momentum, SensorQuantity::kinetic_energy,
-    SensorQuantity::loop_reaction, SensorQuantity::loop_opening,   SensorQuantity::interface_force,
-    SensorQuantity::von_mises,     SensorQuantity::air_flow,       SensorQuantity::air_load};
-
-/// Whether a quantity is known in space alone.
-bool is_of_space(SensorQuantity quantity) { return is_of_solid(quantity) || is_of_air(quantity); }
-
 /// Whether a sensor of this quantity has a use for a key.
-bool takes(SensorQuantity quantity, std::string_view key) {
-  if (key == "position") return has_position(quantity);
-  if (key == "joint") return quantity == SensorQuantity::joint_reaction;
-  if (key == "loop") return is_of_loop(quantity);
-  if (key == "interface") return is_motion(quantity) || is_of_solid(quantity);
-  if (key == "node") return is_motion(quantity) || quantity == SensorQuantity::von_mises;
-  if (key == "frame") return frames_of(quantity).size() > 1;
-  return is_of_blade(quantity) && !is_of_solid(quantity);
+bool takes(const QuantityRow& row, std::string_view key) {
+  const MeasuredAt at = row.at;
+  if (key == "position") return has_position(row.quantity);
+  if (key == "joint") return at == MeasuredAt::joint;
+  if (key == "loop") return at == MeasuredAt::loop;
+  if (key == "interface") return at == MeasuredAt::place || is_of_solid(row.quantity);
+  if (key == "node") return at == MeasuredAt::place || at == MeasuredAt::solid;
+  if (key == "frame") return row.frames.size() > 1;
+  return is_of_blade(row.quantity) && !is_of_solid(row.quantity);
 }
 
 /// Refuses a key that would be ignored.
 void require_fitting(const TomlSection& section, std::string_view key, SensorQuantity quantity,
                      bool in_plane) {
-  if (takes(quantity, key) || !section.has(key)) return;
+  if (takes(row_of(quantity), key) || !section.has(key)) return;
   TomlSection::Keys fitting;
-  for (const SensorQuantity other : kQuantities)
-    if (takes(other, key) && !(in_plane && is_of_space(other))) fitting.push_back(name_of(other));
+  for (const QuantityRow& other : quantities::kRows)
+    if (takes(other, key) && quantities::is_known(other, in_plane)) fitting.push_back(other.name);
   section.fail(key, "does not belong to quantity \"" + std::string(name_of(quantity)) +
                         "\", expected only with quantity " + join_names(fitting));
 }
@@ -51,9 +43,11 @@ void require_fitting(const TomlSection& section, std::string_view key, SensorQua
 SensorQuantity read_quantity(const TomlSection& section, bool in_plane) {
   if (!section.has("quantity"))
     section.fail("quantity", "is missing, expected what is measured, as quantity = \"velocity\"");
-  // Those of the plane are the first ones.
   const keys::Rows rows = in_plane ? keys::Rows(keys::kSensorRows) : keys::kSpaceSensorRows;
-  return kQuantities.begin()[keys::read_word(section, rows, "quantity")];
+  std::vector<SensorQuantity> known;  // in the order of the words
+  for (const QuantityRow& row : quantities::kRows)
+    if (quantities::is_known(row, in_plane)) known.push_back(row.quantity);
+  return known[keys::read_word(section, rows, "quantity")];
 }
 
 SensorFrame read_sensor_frame(const TomlSection& section, SensorQuantity quantity) {

@@ -26,11 +26,6 @@ SubsystemRange subsystems_of(const Sensor& sensor, std::size_t subsystems) {
   return {first, first + 1};
 }
 
-/// Whether subsystems take a reading for the quantity; otherwise the table has it anyway.
-bool needs_reading(SensorQuantity quantity) {
-  return quantity != SensorQuantity::hub_reaction && quantity != SensorQuantity::kinetic_energy;
-}
-
 /// Makes the mass points that sensors integrate over, once for all bodies that are alike.
 class MassPointMaker {
  public:
@@ -175,8 +170,6 @@ std::size_t count_mass_bytes(const StepData<Plane>& data) {
 double value_of(const SensorColumn& column, const Hub& hub, std::int64_t step,
                 const StepData<Plane>& data) {
   switch (column.quantity) {  // a hub alone has momentum, but no subsystem
-    case SensorQuantity::kinetic_energy:
-      return of_step(data.subsystems[column.subsystem].samples, step).kinetic;
     case SensorQuantity::momentum:
       return calc_total_momentum(column, hub, step, data);
     case SensorQuantity::hub_reaction:
@@ -185,6 +178,8 @@ double value_of(const SensorColumn& column, const Hub& hub, std::int64_t step,
       break;
   }
   const SubsystemData<Plane>& subsystem = data.subsystems[column.subsystem];
+  if (const double* value = find_sampled(column.quantity, of_step(subsystem.samples, step)))
+    return *value;
   const double value = readings_of(subsystem, step)[column.places[0] + column.component];
   const bool turns_with_hub = column.quantity == SensorQuantity::displacement &&
                               column.frame == SensorFrame::inertial &&

@@ -35,6 +35,18 @@ std::size_t find_loop(const std::vector<AnyLoop>& loops, const std::string& name
   return static_cast<std::size_t>(at - loops.begin());
 }
 
+/// Returns the value of a quantity that samples of a subsystem have anyway; null: they have none.
+template <class World>
+const double* find_sampled(SensorQuantity quantity, const SubsystemSample<World>& sample) {
+  return quantity == SensorQuantity::kinetic_energy ? &sample.kinetic : nullptr;
+}
+
+/// Whether subsystems take a reading for the quantity; otherwise the table has it anyway.
+inline bool needs_reading(SensorQuantity quantity) {
+  const SubsystemSample<Plane> any;
+  return quantity != SensorQuantity::hub_reaction && !find_sampled(quantity, any);
+}
+
 /// Appends the columns of a sensor on a subsystem; `places`: see SensorColumn.
 void add_columns(const Sensor& sensor, std::size_t subsystem,
                  std::span<const SensorComponent> components,

@@ -26,9 +26,7 @@ using spatial::Tree;
 std::vector<SensorPlace> find_reading_places(const Sensor& sensor, std::size_t blades,
                                              const std::vector<Tree>& trees) {
   std::vector<SensorPlace> places;
-  if (sensor.quantity == SensorQuantity::hub_reaction ||
-      sensor.quantity == SensorQuantity::kinetic_energy)
-    return places;
+  if (!needs_reading(sensor.quantity)) return places;
   if (is_of_blade(sensor.quantity)) return find_places(sensor, blades, trees);
   for (std::size_t i = 0; i < trees.size(); ++i) places.push_back({i, {0}});
   return places;
@@ -221,16 +219,17 @@ std::size_t count_reading_bytes(const StepData<Space>& data) {
 double value_of(const SensorColumn& column, const space::Hub& hub, std::int64_t step,
                 const StepData<Space>& data) {
   switch (column.quantity) {  // a hub alone has momentum, but no subsystem
-    case SensorQuantity::kinetic_energy:
-      return of_step(data.subsystems[column.subsystem].samples, step).kinetic;
     case SensorQuantity::momentum:
       return calc_total_momentum(column, hub, step, data);
     case SensorQuantity::hub_reaction:
       return calc_hub_reaction(column, of_step(data.records, step), !data.rotors.empty());
     default:
-      return readings_of(data.subsystems[column.subsystem],
-                         step)[column.places[0] + column.component];
+      break;
   }
+  const SubsystemData<Space>& subsystem = data.subsystems[column.subsystem];
+  if (const double* value = find_sampled(column.quantity, of_step(subsystem.samples, step)))
+    return *value;
+  return readings_of(subsystem, step)[column.places[0] + column.component];
 }
 
 }  // namespace spoke

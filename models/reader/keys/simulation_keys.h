@@ -6,6 +6,7 @@
 
 #include "models/reader/keys/quantities.h"
 #include "models/scenario.h"
+#include "models/sensor_quantities.h"
 #include "models/support/key_row.h"
 
 namespace spoke::keys {
@@ -151,8 +152,7 @@ inline constexpr std::array kSensorRows{
         .within("letters, digits, `_`, `-`, `.`; up to 64"),
     by_hand("quantity", kWord, "what is measured, see below")
         .required()
-        .among("displacement velocity acceleration section_force joint_reaction hub_reaction "
-               "momentum blade_momentum kinetic_energy loop_reaction loop_opening"),
+        .among(kQuantityNames<true>),
     by_hand("blade", kWhole | kWord, "number of the blade, from 1, or `\"all\"`")
         .from("`\"all\"`")
         .within("1 to the number of blades")
@@ -185,9 +185,7 @@ inline constexpr std::array kSpaceSensorRows{
         .within("letters, digits, `_`, `-`, `.`; up to 64"),
     by_hand("quantity", kWord, "what is measured, see below")
         .required()
-        .among("displacement velocity acceleration section_force joint_reaction hub_reaction "
-               "momentum blade_momentum kinetic_energy loop_reaction loop_opening interface_force "
-               "von_mises air_flow air_load"),
+        .among(kQuantityNames<false>),
     by_hand("blade", kWhole | kWord, "number of the blade, from 1, or `\"all\"`")
         .from("`\"all\"`")
         .within("1 to the number of blades")
