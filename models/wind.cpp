@@ -25,6 +25,10 @@ std::string_view name_of(GustShape shape) {
 
 std::string_view name_of(TurbulenceSpectrum) { return "kaimal"; }
 
+std::string_view name_of(TurbulenceScale scale) {
+  return scale == TurbulenceScale::centre ? "centre" : "none";
+}
+
 std::string_view name_of(Coherence coherence) {
   return coherence == Coherence::longitudinal ? "longitudinal" : "all";
 }

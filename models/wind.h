@@ -65,6 +65,12 @@ enum class Coherence {
   all            ///< all three, by the same function
 };
 
+/// What the deviations of turbulence are asked of.
+enum class TurbulenceScale {
+  centre,  ///< the centre of the box: velocities are scaled to have them there, exactly
+  none     ///< the spectrum: those of a box differ, and lack what its duration does not hold
+};
+
 /// Turbulence of the program's own: a box of velocities on a grid across the wind, which the mean
 /// wind carries past the rotor (Taylor 1938) and which repeats after its duration.
 struct WindTurbulence {
@@ -77,6 +83,7 @@ struct WindTurbulence {
   std::optional<double> length_scale{};
   /// Standard deviations along the wind, across it and upwards, over the first.
   std::array<double, 3> deviation_ratio{1.0, 0.8, 0.5};
+  TurbulenceScale scale = TurbulenceScale::centre;
   Coherence coherence = Coherence::longitudinal;
   double coherence_decay = 12.0;      ///< in the exponent of coherence
   double width = 0.0;                 ///< of the box, across the wind [m]
@@ -121,6 +128,8 @@ SPOKE_EXPORT bool operator==(const Wind& a, const Wind& b);
 SPOKE_EXPORT std::string_view name_of(GustShape shape);
 /// Returns "kaimal".
 SPOKE_EXPORT std::string_view name_of(TurbulenceSpectrum spectrum);
+/// Returns "centre" or "none".
+SPOKE_EXPORT std::string_view name_of(TurbulenceScale scale);
 /// Returns "longitudinal" or "all".
 SPOKE_EXPORT std::string_view name_of(Coherence coherence);
 

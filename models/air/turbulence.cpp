@@ -7,6 +7,7 @@
 #include <cmath>
 #include <complex>
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 #include "models/air/inverse_fourier.h"
@@ -51,14 +52,19 @@ class FourierComponent {
   }
 
   /// Transforms to times and writes the component of the box, with the standard deviation
-  /// `deviation` at the centre of the grid. The coefficients are gone then.
-  void write(double deviation, std::size_t component, InverseFourier& fourier, WindBox& box) {
+  /// `deviation` at the centre of the grid, or of the spectrum. The coefficients are gone then.
+  void write(double deviation, TurbulenceScale scale, std::size_t component,
+             InverseFourier& fourier, WindBox& box) {
     for (EightSeries& group : groups_) {
       // The mean, and the frequency of two steps, whose phase is not free.
       group.places.front() = group.places[box.n_t / 2] = EightSeries::Place{};
       fourier.transform(group);
     }
-    const auto factor = static_cast<float>(deviation / std::sqrt(calc_center_variance(box)));
+    // A frequency of amplitude a, with its conjugate, has the variance 2 a^2, see amplitude().
+    const double drawn = scale == TurbulenceScale::centre
+                             ? std::sqrt(calc_center_variance(box))
+                             : std::numbers::sqrt2 / static_cast<double>(box.n_t);
+    const auto factor = static_cast<float>(deviation / drawn);
     // Some times of all points after some others: both sides stay in the cache.
     constexpr std::size_t times = 16;
     for (std::size_t t = 0; t < box.n_t; t += times)
@@ -189,7 +195,8 @@ class Drawing {
     }
     for (std::size_t c = begin; c < end; ++c)
       components_[c - begin].write(
-          turbulence_.intensity * box_.speed * turbulence_.deviation_ratio[c], c, fourier_, box_);
+          turbulence_.intensity * box_.speed * turbulence_.deviation_ratio[c], turbulence_.scale, c,
+          fourier_, box_);
   }
 
  private:

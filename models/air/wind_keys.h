@@ -79,6 +79,10 @@ inline constexpr std::array kTurbulenceRows{
             "standard deviations along the wind, across it and upwards over the first")
         .from("`[1, 0.8, 0.5]`")
         .of(std::size_t{3}),
+    choice<&WindTurbulence::scale, TurbulenceScale::centre, TurbulenceScale::none>(
+        "scale",
+        "of the velocities: to the standard deviations asked for at the `\"centre\"` of "
+        "the box; `\"none\"`: as the spectrum has them"),
     choice<&WindTurbulence::coherence, Coherence::longitudinal, Coherence::all>(
         "coherence", "components that are coherent: that along the wind, or `\"all\"`"),
     number<&WindTurbulence::coherence_decay>("coherence_decay", Quantity::between(1.0, 100.0),

@@ -130,6 +130,29 @@ TEST_CASE("components that are not coherent have exactly the spectrum of their b
   }
 }
 
+TEST_CASE("without a scale the spectrum is Kaimal's, and the variance that of its bands") {
+  WindTurbulence turbulence = make_small();
+  turbulence.scale = TurbulenceScale::none;
+  const WindBox box = make(turbulence);
+  const double spacing = 1.0 / (static_cast<double>(box.n_t) * box.dt);
+  const std::size_t last = box.n_t / 2 - 1;
+  for (std::size_t c = 1; c < 3; ++c) {
+    const double sigma = 0.15 * kSpeed * turbulence.deviation_ratio[c];
+    const auto up_to = [&](double k) {
+      return 1.0 - std::pow(1.0 + 6.0 * k * spacing * kLengths[c] / kSpeed, -2.0 / 3.0);
+    };
+    for (const std::size_t k : {std::size_t{1}, std::size_t{7}, std::size_t{40}, last}) {
+      const auto number = static_cast<double>(k);
+      CHECK(2.0 * std::norm(transform(box, 4, c, k)) ==
+            doctest::Approx(sigma * sigma * (up_to(number + 0.5) - up_to(number - 0.5)))
+                .epsilon(1e-4));
+    }
+    CHECK(variance(box, 4, c) ==
+          doctest::Approx(sigma * sigma * (up_to(static_cast<double>(last) + 0.5) - up_to(0.5)))
+              .epsilon(1e-5));
+  }
+}
+
 TEST_CASE("over seeds the longitudinal component has its spectrum and IEC's coherence") {
   constexpr int kSeeds = 300;
   const std::vector<std::size_t> frequencies = {2, 5, 12, 25, 60};
