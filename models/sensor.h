@@ -39,6 +39,9 @@ enum class SensorQuantity {
   /// What air does there: coefficients of lift, drag and moment, and by length the forces along the
   /// rotor's axis and in the direction of its turn [N/m], and the pitching moment [N m/m].
   air_load,
+  /// Energy of the deformation of a blade, of the springs of its joints and loops, and of gravity's
+  /// tension [J].
+  strain_energy,
 };
 
 /// The frame in which a motion is observed, and in which vectors are resolved.

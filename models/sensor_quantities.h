@@ -132,7 +132,9 @@ inline constexpr std::array kRows{
                 kWrench6},
     QuantityRow{Quantity::von_mises, "von_mises", MeasuredAt::solid, kInertial, {}, kStress},
     QuantityRow{Quantity::air_flow, "air_flow", MeasuredAt::air, kInertial, {}, kAirFlow},
-    QuantityRow{Quantity::air_load, "air_load", MeasuredAt::air, kInertial, {}, kAirLoad}};
+    QuantityRow{Quantity::air_load, "air_load", MeasuredAt::air, kInertial, {}, kAirLoad},
+    QuantityRow{Quantity::strain_energy, "strain_energy", MeasuredAt::tree, kInertial, kEnergy,
+                kEnergy}};
 
 static_assert(std::is_sorted(kRows.begin(), kRows.end(),
                              [](const QuantityRow& a, const QuantityRow& b) {

@@ -38,6 +38,7 @@ std::size_t find_loop(const std::vector<AnyLoop>& loops, const std::string& name
 /// Returns the value of a quantity that samples of a subsystem have anyway; null: they have none.
 template <class World>
 const double* find_sampled(SensorQuantity quantity, const SubsystemSample<World>& sample) {
+  if (quantity == SensorQuantity::strain_energy) return &sample.strain;
   return quantity == SensorQuantity::kinetic_energy ? &sample.kinetic : nullptr;
 }
 

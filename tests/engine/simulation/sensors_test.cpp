@@ -371,9 +371,10 @@ TEST_CASE("section forces are continuous where bodies meet, and turn with their 
   }
 }
 
-TEST_CASE("kinetic energies of blades and hub are the total") {
+TEST_CASE("energies of blades and hub are the total") {
   Scenario scenario = soft_scenario(IntegrationMethod::generalized_alpha, 0.1, 1e-3);
-  scenario.sensors = {make_sensor(Quantity::kinetic_energy, "", SensorFrame::inertial)};
+  for (const Quantity quantity : {Quantity::kinetic_energy, Quantity::strain_energy})
+    scenario.sensors.push_back(make_sensor(quantity, "", SensorFrame::inertial));
   Simulation simulation(scenario);
   simulation.run_until(0.1);
   const Values values = values_of(simulation);
@@ -381,4 +382,7 @@ TEST_CASE("kinetic energies of blades and hub are the total") {
   const double sum = 0.5 * scenario.rotor.hub.inertia * speed * speed +
                      values.at("blade1.kinetic_energy") + values.at("blade2.kinetic_energy");
   CHECK(sum == approx(values.at("energy.kinetic")).epsilon(1e-13));
+  const double strain = values.at("blade1.strain_energy") + values.at("blade2.strain_energy");
+  CHECK(values.at("blade1.strain_energy") > 0.0);
+  CHECK(strain == approx(values.at("energy.strain")).epsilon(1e-13));
 }

@@ -99,7 +99,8 @@ TEST_CASE("bad sensors are refused in one line that says where and why") {
       {"quantity = \"speed\"\n",
        "f.toml:16:12: sensor.1.quantity: is \"speed\", expected \"displacement\", \"velocity\", "
        "\"acceleration\", \"section_force\", \"joint_reaction\", \"hub_reaction\", \"momentum\", "
-       "\"blade_momentum\", \"kinetic_energy\", \"loop_reaction\" or \"loop_opening\""},
+       "\"blade_momentum\", \"kinetic_energy\", \"loop_reaction\", \"loop_opening\" or "
+       "\"strain_energy\""},
       {"quantity = \"velocity\"\npositon = 2\n",
        "f.toml:17:1: sensor.1.positon: unknown key, did you mean \"position\"?"},
       {"quantity = \"velocity\"\nposition = 7\n",
@@ -115,8 +116,8 @@ TEST_CASE("bad sensors are refused in one line that says where and why") {
       {"quantity = \"momentum\"\nblade = 1\n",
        "f.toml:17:9: sensor.1.blade: does not belong to quantity \"momentum\", expected only with "
        "quantity \"displacement\", \"velocity\", \"acceleration\", \"section_force\", "
-       "\"joint_reaction\", \"blade_momentum\", \"kinetic_energy\", \"loop_reaction\" or "
-       "\"loop_opening\""},
+       "\"joint_reaction\", \"blade_momentum\", \"kinetic_energy\", \"loop_reaction\", "
+       "\"loop_opening\" or \"strain_energy\""},
       {"quantity = \"section_force\"\n",
        at + ".position: is missing, expected a number from 0 to 6 (m, from root to tip of the "
             "blade)"},

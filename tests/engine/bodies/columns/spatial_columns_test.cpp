@@ -17,6 +17,7 @@
 #include "engine/step/step_graph_builder.h"
 #include "graph/declaration_check.h"
 #include "models/system/spatial_system.h"
+#include "tests/approx.h"
 #include "tests/engine/bodies/space/system/models.h"
 
 using namespace spoke;
@@ -235,6 +236,8 @@ TEST_CASE("sensors show what the views of a simulation show") {
       sensor("quantity = \"joint_reaction\"\njoint = 2\nframe = \"inertial\"") +
       sensor("quantity = \"hub_reaction\"") + sensor("quantity = \"kinetic_energy\"") +
       sensor("quantity = \"kinetic_energy\"\nsubsystem = \"arm\"") +
+      sensor("quantity = \"strain_energy\"") +
+      sensor("quantity = \"strain_energy\"\nsubsystem = \"arm\"") +
       sensor(
           "name = \"root\"\nquantity = \"velocity\"\nsubsystem = \"arm\"\nbody = \"boom\"\n"
           "position = 0.0\n"
@@ -245,6 +248,11 @@ TEST_CASE("sensors show what the views of a simulation show") {
   CHECK((vector_of(simulation, "blade2.end") - vector_of(simulation, "blade2.tip")).norm() < 1e-12);
   CHECK(simulation.sensor("blade1.kinetic_energy") + simulation.sensor("arm.kinetic_energy") <
         simulation.sensor("energy.kinetic"));
+  double strain = simulation.sensor("arm.strain_energy");
+  for (const char* blade : {"blade1", "blade2"})
+    strain += simulation.sensor(std::string(blade) + ".strain_energy");
+  CHECK(strain > 0.0);
+  CHECK(strain == testing::approx(simulation.sensor("energy.strain")).epsilon(1e-12));
   const Eigen::Vector3d velocity = simulation.marker({2, 0, 0.0}).velocity;
   CHECK((vector_of(simulation, "arm.root") - velocity).norm() < 1e-9);
   const Wrench joint = simulation.joint_reaction(0, 1), hub = simulation.hub_reaction();
