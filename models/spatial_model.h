@@ -121,6 +121,9 @@ struct RigidBody {
   double mass = 0.0;                ///< [kg]
   Vector center = Vector::Zero();   ///< centre of mass, body frame [m]
   Tensor inertia = Tensor::Zero();  ///< inertia about the centre of mass, body axes [kg m^2]
+  /// Angular momentum of what spins inside, relative to the body, body axes [kg m^2/s]: a motor
+  /// keeps it. Mass and inertia are those of all.
+  Vector spin = Vector::Zero();
 };
 
 /// The kind of motion that a joint allows.

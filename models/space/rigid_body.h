@@ -15,7 +15,9 @@ struct RigidBody {
   Position centre = Position::Zero();  ///< centre of mass [m]
   Matrix3 inertia = Matrix3::Zero();   ///< inertia about the centre of mass [kg m^2]
   /// Handles at which children hang, then those of loops [m].
-  std::vector<Position> outboard;
+  std::vector<Position> outboard{};
+  /// Angular momentum of what spins inside, relative to the body, which stays [kg m^2/s].
+  Position spin = Position::Zero();
   /// Whether it is the hub of a rotor on a support: alone it may have no mass.
   bool is_hub = false;
 };

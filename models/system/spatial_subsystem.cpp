@@ -205,8 +205,8 @@ class SubsystemMaker {
       return;
     }
     const auto& rigid = std::get<spatial::RigidBody>(body(j).shape);
-    space::RigidBody shape{
-        rigid.mass, rigid.center, rigid.inertia, {}, body(j).is_hub && !is_alone_};
+    space::RigidBody shape{rigid.mass, rigid.center, rigid.inertia,
+                           {},         rigid.spin,   body(j).is_hub && !is_alone_};
     for (const int c : made.children)
       shape.outboard.emplace_back(body(static_cast<std::size_t>(c)).placement.position);
     for (const spatial::TreePlace* place : places_[j])

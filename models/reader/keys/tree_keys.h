@@ -44,6 +44,10 @@ inline constexpr std::array kRigidBodyRows{
         .required(),
     vector<&spatial::RigidBody::center>("center", kLength,
                                         "of a rigid body: centre of mass in the body's frame"),
+    vector<&spatial::RigidBody::spin>(
+        "spin", Quantity::any("kg m^2/s"),
+        "of a rigid body: angular momentum of what spins inside it (a wheel, a propeller), "
+        "relative to the body, which a motor keeps; `mass` and `inertia` are those of all"),
     by_hand("inertia", kNumber | kNumbers, spatial::kInertia,
             "of a rigid body: about its centre of mass, as of the hub")
         .required()

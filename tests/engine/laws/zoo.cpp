@@ -39,6 +39,13 @@ std::vector<ZooModel> list_zoo() {
          for (Blade& blade : s.rotor.blades) blade.strain = BeamStrain::nonlinear;
        }},
       {"solid_blade_rotor, nodal", "solid_blade_rotor", make_nodal},
+      {"tree_of_bodies, with a spin", "tree_of_bodies",
+       [](Scenario& s) {
+         for (spatial::Subsystem& subsystem : s.space->subsystems)
+           for (spatial::Body& body : subsystem.bodies)
+             if (auto* rigid = std::get_if<spatial::RigidBody>(&body.shape))
+               rigid->spin = {0.2, -0.3, 0.5};
+       }},
       {"wu_haug_rotor, free hub", "wu_haug_rotor",
        [](Scenario& s) {
          s.rotor.hub.support = HubSupport::free;

@@ -6,7 +6,7 @@
 
 namespace spoke {
 
-class RigidKind final : public BodyKind<Space> {
+class RigidKind : public BodyKind<Space> {
  public:
   std::size_t count_work(const space::Body& body) const override;
   space::BodyWork place_work(const space::Body& body, double* memory) const override;
