@@ -449,9 +449,9 @@ def subsystem(*, name, azimuth=None, count=None, body=None, joint=None, loop=Non
 
 def body(*, name, kind, length=None, bodies=None, elements=None, sections=None,
          reference_frame=None, geometric_stiffening=None, strain=None, point_mass=None, mass=None,
-         center=None, inertia=None, mesh=None, material=None, scale=None, coordinates=None,
-         modes=None, up_to=None, damping=None, interface=None, format=None, stiffness=None,
-         nodes=None, geometric_stiffness=None):
+         center=None, spin=None, inertia=None, mesh=None, material=None, scale=None,
+         coordinates=None, modes=None, up_to=None, damping=None, interface=None, format=None,
+         stiffness=None, nodes=None, geometric_stiffness=None):
     """A body of a tree: a beam, a rigid body or a solid.
 
     length: from root to tip [m]
@@ -480,6 +480,8 @@ def body(*, name, kind, length=None, bodies=None, elements=None, sections=None,
     kind: "beam", "rigid" or "solid", below
     mass: of a rigid body [kg]; or: file of the mass matrix
     center: of a rigid body: centre of mass in the body's frame [m]
+    spin: of a rigid body: angular momentum of what spins inside it (a wheel, a propeller), relative
+        to the body, which a motor keeps; mass and inertia are those of all [kg m^2/s]
     inertia: of a rigid body: about its centre of mass, as of the hub [kg m^2]
     mesh: file, relative to the scenario's folder: gmsh .msh 2.2 or 4.1, Abaqus or CalculiX .inp; of
         tetrahedra with 10 nodes or hexahedra with 20 (those with 4 and 8 are too stiff, and warned
@@ -753,8 +755,8 @@ def gust(*, amplitude, start=None, duration=None, shape=None):
 
 
 def turbulence(*, intensity, width, seed=None, spectrum=None, length_scale=None,
-               deviation_ratio=None, coherence=None, coherence_decay=None, height=None, points=None,
-               time_step=None, duration=None):
+               deviation_ratio=None, scale=None, coherence=None, coherence_decay=None, height=None,
+               points=None, time_step=None, duration=None):
     """Turbulence of the wind.
 
     intensity: standard deviation along the wind at the reference height, over the speed there
@@ -762,6 +764,8 @@ def turbulence(*, intensity, width, seed=None, spectrum=None, length_scale=None,
     spectrum: the only one
     length_scale: Lambda_1, see below [m]
     deviation_ratio: standard deviations along the wind, across it and upwards over the first
+    scale: of the velocities: to the standard deviations asked for at the "centre" of the box;
+        "none": as the spectrum has them
     coherence: components that are coherent: that along the wind, or "all"
     coherence_decay: in the exponent of coherence, 1 to 100
     width: of the box across the wind; wider than the rotor [m]

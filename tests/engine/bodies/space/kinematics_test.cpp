@@ -34,7 +34,7 @@ void check_angular_accelerations(const System<Space>& system, bool loads_tie_sub
   context.loads_tie_subsystems = loads_tie_subsystems;
   allocate(context);
   StepData<Space>& data = context.data;
-  for (const auto& tension : context.work.tensions) tension->least = 0.0;  // at any speed
+  for (const auto& tension : context.work.bodies.tensions) tension->least = 0.0;  // at any speed
   std::mt19937 random(seed);
   randomize_state(random, data);
   const graph::StepGraph graph = build_step_graph(context);
