@@ -4,6 +4,7 @@
 #include "models/air/turbulence.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <complex>
 #include <cstdint>
@@ -128,6 +129,7 @@ WindBox make_box(const WindTurbulence& turbulence, double speed, double referenc
 }  // namespace
 
 BoxCost estimate_cost(const WindTurbulence& turbulence) {
+  assert(turbulence.points[0] > 1 && turbulence.points[1] > 1 && turbulence.time_step > 0.0);
   const double points =
       static_cast<double>(turbulence.points[0]) * static_cast<double>(turbulence.points[1]);
   const double steps = turbulence.duration / turbulence.time_step;

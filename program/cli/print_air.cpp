@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
@@ -156,6 +157,7 @@ void print_texts(const std::string& label, const std::vector<std::string>& lines
 }  // namespace
 
 void print_air(const spatial::Model& model) {
+  assert(model.air);
   print_line("air", describe(*model.air));
   print_texts("wind", describe(model.air->wind, spatial::find_hub_place(model)));
   std::vector<std::string> before;

@@ -4,6 +4,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <cassert>
 #include <numbers>
 #include <utility>
 
@@ -56,6 +57,7 @@ void add_chart(const BladeEquilibrium& blade, const char* title, report::Axis va
 }  // namespace
 
 std::vector<report::Fact> make_air_facts(const EquilibriumResult& result) {
+  assert(result.air);
   const RotorAir& air = *result.air;
   return {{"wind", fmt::format("{:.6g} m/s along the axis", plain_zero(air.wind))},
           {"thrust of air", fmt::format("{:.6g} N", plain_zero(air.thrust))},
@@ -64,6 +66,7 @@ std::vector<report::Fact> make_air_facts(const EquilibriumResult& result) {
 }
 
 Json air_json(const EquilibriumResult& result) {
+  assert(result.air);
   const RotorAir& air = *result.air;
   return {{"wind_m_per_s", plain_zero(air.wind)},
           {"thrust_N", plain_zero(air.thrust)},

@@ -3,6 +3,7 @@
 #include "engine/small_motions/vibration/periodic_orbit.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <deque>
 #include <iomanip>
@@ -272,6 +273,7 @@ bool can_have_orbit(const Linearised& all) {
 
 std::optional<PeriodicOrbit> find_periodic_orbit(const Linearised& all, const PeriodicSystem& mean,
                                                  SteadyModel& whole) {
+  assert(can_have_orbit(all));
   if (!is_turned_against(all, mean, whole)) return std::nullopt;
   const VectorXd scale = find_scale(mean, whole);
   Balance balance(all, mean, whole);
