@@ -102,11 +102,11 @@ void add_tension(const BeamElement& element, const Slice& slice, double xi,
   }
 }
 
-void add_propeller(const PlacedMass& dm, ElementStiffening& stiffening) {
+void add_turning(const PlacedMass& dm, ElementStiffening& stiffening) {
   const Matrix3& P = dm.moments.second;
   const std::array moments{P(1, 1), P(1, 2), P(2, 2)};
   for (std::size_t k = 0; k < moments.size(); ++k) {
-    std::array<double, 3>& entries = stiffening.propeller[k];
+    std::array<double, 3>& entries = stiffening.turning[k];
     entries[0] += moments[k] * (1.0 - dm.xi) * (1.0 - dm.xi);
     entries[1] += moments[k] * (1.0 - dm.xi) * dm.xi;
     entries[2] += moments[k] * dm.xi * dm.xi;
@@ -157,7 +157,7 @@ BeamElement make_element(const Beam& beam, const BodyGeometry& geometry,
       flexibility.add(slice, outer, beam.damping);
       const PlacedMass dm = place(element, inner, slice);
       add_mass(dm, element.length, element.mass);
-      add_propeller(dm, element.stiffening);
+      add_turning(dm, element.stiffening);
       add_tension(element, slice, dm.xi, distribution.beyond(slice.station), element.stiffening);
     });
   for (const PointMass& point : beam.masses)

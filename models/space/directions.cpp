@@ -160,8 +160,8 @@ void put_element(const BeamElement& element, std::size_t n, ElementLanes& lanes)
     to.torsion[n] = element.stiffening.torsion[k];
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    lanes.propeller[0][i][n] = element.stiffening.propeller[0][i];
-    lanes.propeller[1][i][n] = element.stiffening.propeller[2][i];
+    lanes.turning[0][i][n] = element.stiffening.turning[0][i];
+    lanes.turning[1][i][n] = element.stiffening.turning[2][i];
   }
 }
 

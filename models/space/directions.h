@@ -60,8 +60,8 @@ struct ElementLanes {
     Lanes torsion{};
   };
   std::array<Tension, ElementStiffening::kWeights> tension;
-  /// Propeller matrices 22 and 33 by their entries 11, 12, 22.
-  std::array<std::array<Lanes, 3>, 2> propeller{};
+  /// Matrices of turned sections, 22 and 33, by their entries 11, 12, 22.
+  std::array<std::array<Lanes, 3>, 2> turning{};
 };
 
 struct Directions {

@@ -138,12 +138,12 @@ void add_inertia(const PlacedMass& dm, const BeamElement& element, ElementSecond
 }
 
 /// Adds the share of a slice.
-void add_twist(const PlacedMass& dm, const BeamElement& element, ElementSecondOrder& second) {
+void add_turning(const PlacedMass& dm, const BeamElement& element, ElementSecondOrder& second) {
   const Matrix3 in_B = find_central_moment(dm, element);
-  const Matrix3 turned = in_B.trace() * Matrix3::Identity() - 0.5 * (in_B + in_B.transpose());
-  second.twist[0] += (1.0 - dm.xi) * (1.0 - dm.xi) * turned;
-  second.twist[1] += (1.0 - dm.xi) * dm.xi * turned;
-  second.twist[2] += dm.xi * dm.xi * turned;
+  const Matrix3 P = 0.5 * (in_B + in_B.transpose());
+  second.turning[0] += (1.0 - dm.xi) * (1.0 - dm.xi) * P;
+  second.turning[1] += (1.0 - dm.xi) * dm.xi * P;
+  second.turning[2] += dm.xi * dm.xi * P;
 }
 
 ElementSecondOrder make_element(const Beam& beam, const BodyGeometry& geometry,
@@ -158,7 +158,7 @@ ElementSecondOrder make_element(const Beam& beam, const BodyGeometry& geometry,
     sums.add(find_strains(beam, geometry, element, outer, breaks[p], breaks[p + 1]));
     visit_slices(beam, geometry, breaks[p], breaks[p + 1], [&](const Slice& slice) {
       wagner += add_wagner(element, slice);
-      add_twist(place(element, inner, slice), element, second);
+      add_turning(place(element, inner, slice), element, second);
     });
   }
   for (const PointMass& point : beam.masses)

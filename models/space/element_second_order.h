@@ -25,10 +25,9 @@ struct ElementSecondOrder {
   Forms place;     ///< of c [m, m/rad, m/rad^2], less what a twist draws out by Wagner's effect
   Forms rotation;  ///< of a [rad/m^2, 1/m, 1/rad]
 
-  /// What the twist tx of sections takes off the body's inertia, to second order: T -= 1/2 w^T
-  /// Lambda w with Lambda = twist[0] tx_1^2 + 2 twist[1] tx_1 tx_2 + twist[2] tx_2^2, in B, tx at
-  /// the inner and the outer node [kg m^2]. About the centres of mass.
-  std::array<Matrix3, 3> twist{Matrix3::Zero(), Matrix3::Zero(), Matrix3::Zero()};
+  /// int P N^T N dx over the rotations of the nodes, which are linear in between, by its entries
+  /// 11, 12, 22: P in B, about the centres of mass [kg m^2]. What they take off the body's inertia.
+  std::array<Matrix3, 3> turning{Matrix3::Zero(), Matrix3::Zero(), Matrix3::Zero()};
   /// Small masses, whose sections turn as a whole; about their centres.
   std::vector<PointInertia> inertias;
 };

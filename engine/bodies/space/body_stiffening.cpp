@@ -7,6 +7,7 @@
 #include "engine/bodies/space/element_products.h"
 #include "engine/bodies/space/plane_coordinates.h"
 #include "engine/bodies/space/tension_weights.h"
+#include "engine/bodies/space/turned_sections.h"
 #include "models/support/gauss_rule.h"
 #include "models/support/wide_kernels.h"
 
@@ -38,48 +39,60 @@ void add_tension(const ElementStiffening& matrices, int k, double factor, const 
   sums.rate += sum_products(product, v) + Double2{trapeze * (v.torsion[1] - v.torsion[0]), 0.0};
 }
 
-struct PairSums {
-  double value = 0.0, rate = 0.0;
+Turn<Double2> turn_of(const PlaneCoordinates& q) {
+  return {Double2{q.torsion[0], q.torsion[1]}, Double2{-q.slope[0][1], -q.slope[1][1]},
+          Double2{q.slope[0][0], q.slope[1][0]}};
+}
+
+/// Returns the products of a matrix over both nodes, by its entries 11, 12, 22.
+Turn<Double2> multiply(const std::array<double, 3>& K, const Turn<Double2>& th) {
+  const Double2 inner{K[0], K[1]}, outer{K[1], K[2]};
+  const auto product = [&](const Double2& x) { return x[0] * inner + x[1] * outer; };
+  return {product(th.x), product(th.y), product(th.z)};
+}
+
+/// Forms of rotations and of their rates.
+struct TurnSums {
+  TurnForms<Double2> value, rate;
 };
 
-/// Adds factor K q of a propeller matrix K to f; returns its forms.
-PairSums add_propeller(const std::array<double, 3>& K, double factor, const PlaneCoordinates& q,
-                       const PlaneCoordinates& v, PlaneCoordinates& f) {
-  const double inner = K[0] * q.torsion[0] + K[1] * q.torsion[1];
-  const double outer = K[1] * q.torsion[0] + K[2] * q.torsion[1];
-  f.torsion[0] += factor * inner;
-  f.torsion[1] += factor * outer;
-  return {inner * q.torsion[0] + outer * q.torsion[1], inner * v.torsion[0] + outer * v.torsion[1]};
-}
-
-/// Adds the sum over ab of f_ab e_a e_b^T to F, for ab = 22, 23 and 32, 33; `f`: 22, 23, 33.
-template <bool kIsStraight>
-void add_tensor(const BeamElement& element, const Position& f, Matrix3& F) {
-  if constexpr (kIsStraight) {
-    F(1, 1) += f[0];
-    F(1, 2) += f[1];
-    F(2, 1) += f[1];
-    F(2, 2) += f[2];
-    return;
+/// Adds what the turned sections of an element take off. For sections that are symmetric about both
+/// axes, P_23 is zero.
+void add_turned_sections(const ElementStiffening& matrices, bool is_symmetric, const SpinWeights& W,
+                         const PlaneCoordinates& q, const PlaneCoordinates& v, PlaneCoordinates& f,
+                         TurnSums& sums) {
+  const auto dot = [](const Double2& a, const Double2& b) { return a * b; };
+  const Turn<Double2> th = turn_of(q), rate = turn_of(v);
+  Turn<Double2> force{};
+  const Turn<Double2> K22 = multiply(matrices.turning[0], th);
+  add_forces_22(W, K22, force);
+  add_forms_22(K22, th, dot, sums.value.of_22);
+  add_forms_22(K22, rate, dot, sums.rate.of_22);
+  const Turn<Double2> K33 = multiply(matrices.turning[2], th);
+  add_forces_33(W, K33, force);
+  add_forms_33(K33, th, dot, sums.value.of_33);
+  add_forms_33(K33, rate, dot, sums.rate.of_33);
+  if (!is_symmetric) {
+    const Turn<Double2> K23 = multiply(matrices.turning[1], th);
+    add_forces_23(W, K23, force);
+    add_forms_23(K23, th, dot, sums.value.of_23);
+    add_forms_23(K23, rate, dot, sums.rate.of_23);
   }
-  const Position e2 = element.axes.col(1), e3 = element.axes.col(2);
-  F += e2 * (f[0] * e2 + f[1] * e3).transpose() + e3 * (f[1] * e2 + f[2] * e3).transpose();
+  for (int node = 0; node < 2; ++node) {
+    f.torsion[node] += force.x[node];
+    f.slope[node] += Double2{force.z[node], -force.y[node]};
+  }
 }
 
-/// Adds the propeller terms of an element: (w x e_a).(w x e_b) P_ab, a, b = 2, 3. For sections that
-/// are symmetric about both axes, P_23 is zero.
-template <bool kIsStraight>
-void add_propellers(const BeamElement& element, bool is_symmetric, const Position& w_B,
-                    const PlaneCoordinates& q, const PlaneCoordinates& v, PlaneCoordinates& f,
-                    StiffeningSums& sums) {
-  const Position w = kIsStraight ? w_B : Position(element.axes.transpose().lazyProduct(w_B));
-  const auto& K = element.stiffening.propeller;
-  const PairSums p22 = add_propeller(K[0], w[0] * w[0] + w[2] * w[2], q, v, f);
-  PairSums p23;
-  if (!is_symmetric) p23 = add_propeller(K[1], -2.0 * w[1] * w[2], q, v, f);
-  const PairSums p33 = add_propeller(K[2], w[0] * w[0] + w[1] * w[1], q, v, f);
-  add_tensor<kIsStraight>(element, {p22.value, p23.value, p33.value}, sums.value.propeller);
-  add_tensor<kIsStraight>(element, {p22.rate, p23.rate, p33.rate}, sums.rate.propeller);
+/// Moves Lambda of turned sections to the sums; those of an element begin anew.
+void take_turned(const Matrix3& axes, TurnSums& turned, StiffeningSums& sums) {
+  const auto in_B = [&axes](const TurnForms<Double2>& forms) {
+    const Matrix3 half = axes.lazyProduct(forms.inertia([](const Double2& s) { return total(s); }));
+    return Matrix3(half.lazyProduct(axes.transpose()));
+  };
+  sums.value.inertias += in_B(turned.value);
+  sums.rate.inertias += in_B(turned.rate);
+  turned = {};
 }
 
 using Coordinates = Eigen::Matrix<double, 2 * kTwist, 1>;
@@ -130,6 +143,7 @@ StiffeningSums add_all(const BodyModel& model, const BodyMotion& motion, const d
   TensionWeights weights = calc_tension_weights(*model.tension, motion);
   StiffeningSums sums;
   TensionSums tension[ElementStiffening::kWeights];
+  TurnSums turned;
   const CarriedMass* carried = model.tension->carried.data();
   weights.tension[0] = carried_tension(*carried, weights);
   for (int e = 0; e < body.elements; ++e) {
@@ -145,7 +159,10 @@ StiffeningSums add_all(const BodyModel& model, const BodyMotion& motion, const d
     for (int k = 0; k < ElementStiffening::kWeights; ++k)
       add_tension<kWanted>(element.stiffening, k, weights.tension[static_cast<std::size_t>(k)], x,
                            rate, f, tension[k]);
-    add_propellers<kIsStraight>(element, body.is_decoupled, weights.w, x, rate, f, sums);
+    const Angular w =
+        kIsStraight ? weights.w : Angular(element.axes.transpose().lazyProduct(weights.w));
+    add_turned_sections(element.stiffening, body.is_decoupled, SpinWeights(w), x, rate, f, turned);
+    if constexpr (!kIsStraight) take_turned(element.axes, turned, sums);
     if constexpr (kHasForces) {
       subtract_forces<kIsStraight>(element, f, force);
       add_inertias(element, weights.w, q, v, force, sums);
@@ -156,6 +173,7 @@ StiffeningSums add_all(const BodyModel& model, const BodyMotion& motion, const d
     }
     q += kTwist;
   }
+  if constexpr (kIsStraight) take_turned(Matrix3::Identity(), turned, sums);
   take_carried(*carried, tension[0], sums);
   sums.value.tension.KL = total(tension[1].value);
   sums.rate.tension.KL = total(tension[1].rate);
@@ -220,14 +238,12 @@ double sum_slope_products(const FlexibleBody& body, const double* q, const doubl
 
 namespace {
 
-/// Returns Lambda in B: (e.c) 1 - 1/2 (e c^T + c e^T), tr(F) 1 - F of the propeller terms, and the
-/// share of small masses.
+/// Returns Lambda in B: (e.c) 1 - 1/2 (e c^T + c e^T), and the share of what turns.
 Matrix3 calc_inertia(const TensionPlace& place, const StiffeningForms& forms) {
   const Position e = Position::UnitX();
   const Position c = forms.tension.carried + forms.tension.KL * place.origin + forms.tension.Kx * e;
-  Matrix3 inertia =
-      -0.5 * (e * c.transpose() + c * e.transpose()) - forms.propeller + forms.inertias;
-  inertia.diagonal().array() += c.x() + forms.propeller.trace();
+  Matrix3 inertia = forms.inertias - 0.5 * (e * c.transpose() + c * e.transpose());
+  inertia.diagonal().array() += c.x();
   return inertia;
 }
 

@@ -3,10 +3,10 @@
 // Geometric stiffening of a spatial body: terms of tension and of the turning of its sections in
 // the energies, to second order in the deformation (docs/formulation.md, section 10):
 //   T = T_linear - 1/2 w0^T Lambda w0,     V = V_linear + g . gamma
-//   Lambda = (e.c) 1 - 1/2 (e c^T + c e^T) + tr(F) 1 - F + (share of small masses)
+//   Lambda = (e.c) 1 - 1/2 (e c^T + c e^T) + (share of sections and small masses that turn)
 //   c = sum S K1 + R KL + e Kx,            gamma = 1/2 (sum m_out K1 + KL) e
-// with the quadratic forms q^T K q in place of the matrices K, and those of the propeller terms in
-// F. K1 is summed over the elements, which carry the mass m_out with the first moment S.
+// with the quadratic forms q^T K q in place of the matrices K. K1 is summed over the elements, which
+// carry the mass m_out with the first moment S.
 
 #include "engine/bodies/space/body_data.h"
 
@@ -23,8 +23,8 @@ struct TensionForms {
 /// Quadratic forms of the stiffening in two flex vectors.
 struct StiffeningForms {
   TensionForms tension;
-  Matrix3 propeller = Matrix3::Zero();  ///< form of the propeller matrices, a symmetric tensor in B
-  Matrix3 inertias = Matrix3::Zero();   ///< share of small masses in Lambda, in B
+  /// Share in Lambda of sections (turned_sections.h) and small masses that turn, in B.
+  Matrix3 inertias = Matrix3::Zero();
 };
 
 /// Forms q^T K q and q^T K q' of the stiffening.

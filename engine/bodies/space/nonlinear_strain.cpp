@@ -187,52 +187,65 @@ double subtract_forces(const FlexibleBody& body, double stiffness_factor,
   return power;
 }
 
-/// Adds what the twist of an element's sections takes off, with its forces.
-void add_twist(const BeamElement& element, const ElementSecondOrder& second, const Angular& w,
-               const double* q, const double* v, double* force, TurnedInertia& sum) {
-  const Position e1 = element.axes.col(0);
-  const auto twist_of = [&e1](const double* x) {
-    return std::array{e1.dot(Eigen::Map<const Position>(x + kRotation)),
-                      e1.dot(Eigen::Map<const Position>(x + kTwist + kRotation))};
-  };
-  const auto [inner, outer] = twist_of(q);
-  const auto [inner_rate, outer_rate] = twist_of(v);
-  const Matrix3 on_inner = inner * second.twist[0] + outer * second.twist[1];
-  const Matrix3 on_outer = inner * second.twist[1] + outer * second.twist[2];
-  sum.value += inner * on_inner + outer * on_outer;
-  sum.rate += 2.0 * (inner_rate * on_inner + outer_rate * on_outer);
+/// M th of a second moment P that turns by th while the body turns with w: T gets - 1/2 th^T M th,
+/// M = tr(P W0) 1 - 1/2 (W0 P + P W0).
+class Turning {
+ public:
+  explicit Turning(const Angular& w) : W0_(w.squaredNorm() * Matrix3::Identity()) {
+    W0_ -= w * w.transpose();
+  }
+  Position moment(const Matrix3& P, const Position& th) const {
+    const Matrix3 W0_P = W0_.lazyProduct(P);
+    return W0_P.trace() * th - 0.5 * (W0_P + W0_P.transpose()).lazyProduct(th);
+  }
+
+ private:
+  Matrix3 W0_;
+};
+
+/// Adds what an element's sections take off, whose rotations are linear between the nodes.
+void add_sections(const ElementSecondOrder& second, const Turning& turning, const double* q,
+                  const double* v, double* force, TurnedInertia& sum) {
+  using Rotations = Eigen::Map<const Position>;
+  const Rotations inner(q + kRotation), outer(q + kTwist + kRotation);
+  const Rotations inner_rate(v + kRotation), outer_rate(v + kTwist + kRotation);
+  const auto& [P11, P12, P22] = second.turning;
+  sum.value += turning_inertia(P11, inner, inner) + turning_inertia(P22, outer, outer) +
+               2.0 * turning_inertia(P12, inner, outer);
+  sum.rate +=
+      2.0 * (turning_inertia(P11, inner, inner_rate) + turning_inertia(P22, outer, outer_rate) +
+             turning_inertia(P12, inner, outer_rate) + turning_inertia(P12, inner_rate, outer));
   if (!force) return;
-  Eigen::Map<Position>(force + kRotation) -= w.dot(on_inner.lazyProduct(w)) * e1;
-  Eigen::Map<Position>(force + kTwist + kRotation) -= w.dot(on_outer.lazyProduct(w)) * e1;
+  Eigen::Map<Position>(force + kRotation) -=
+      turning.moment(P11, inner) + turning.moment(P12, outer);
+  Eigen::Map<Position>(force + kTwist + kRotation) -=
+      turning.moment(P12, inner) + turning.moment(P22, outer);
 }
 
-/// Adds small masses: T gets - 1/2 th^T [tr(P W0) 1 - 1/2 (W0 P + P W0)] th.
-void add_inertias(const ElementSecondOrder& second, const Angular& w, const double* q,
+/// Adds small masses.
+void add_inertias(const ElementSecondOrder& second, const Turning& turning, const double* q,
                   const double* v, double* force, TurnedInertia& sum) {
   for (const PointInertia& point : second.inertias) {
-    const Matrix3& P = point.second;
     const Position th = point.rotation.lazyProduct(ConstNodes(q));
     const Position rate = point.rotation.lazyProduct(ConstNodes(v));
-    sum.value += turning_inertia(P, th, th);
-    sum.rate += 2.0 * turning_inertia(P, th, rate);
-    if (!force) continue;
-    const Matrix3 W0 = w.squaredNorm() * Matrix3::Identity() - w * w.transpose();
-    const Matrix3 W0_P = W0.lazyProduct(P);
-    const Position moment = W0_P.trace() * th - 0.5 * (W0_P + W0_P.transpose()).lazyProduct(th);
-    Eigen::Map<Eigen::Matrix<double, kBothNodes, 1>>(force) -=
-        point.rotation.transpose().lazyProduct(moment);
+    sum.value += turning_inertia(point.second, th, th);
+    sum.rate += 2.0 * turning_inertia(point.second, th, rate);
+    if (force)
+      Eigen::Map<Eigen::Matrix<double, kBothNodes, 1>>(force) -=
+          point.rotation.transpose().lazyProduct(turning.moment(point.second, th));
   }
 }
 
 TurnedInertia sum_turning(const FlexibleBody& body, const Angular& w, const double* q,
                           const double* v, double* force) {
+  const Turning turning(w);
   TurnedInertia sum;
   for (int e = 0; e < body.elements; ++e) {
-    const auto at = static_cast<std::size_t>(e);
+    const ElementSecondOrder& second = body.second_order[static_cast<std::size_t>(e)];
     const int node = kTwist * e;
     double* const on = force ? force + node : nullptr;
-    add_twist(body.beam[at], body.second_order[at], w, q + node, v + node, on, sum);
-    add_inertias(body.second_order[at], w, q + node, v + node, on, sum);
+    add_sections(second, turning, q + node, v + node, on, sum);
+    add_inertias(second, turning, q + node, v + node, on, sum);
   }
   return sum;
 }

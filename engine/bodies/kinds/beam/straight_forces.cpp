@@ -4,6 +4,7 @@
 
 #include "engine/bodies/space/body_stiffening.h"
 #include "engine/bodies/space/tension_weights.h"
+#include "engine/bodies/space/turned_sections.h"
 #include "models/support/wide_kernels.h"
 
 namespace spoke::space {
@@ -117,16 +118,67 @@ struct Forms {
   return forms;
 }
 
-/// Adds weight K q of a propeller matrix K to f, and its forms to the sums.
-[[gnu::always_inline]] inline void add_propeller(const std::array<Lanes, 3>& K, double weight,
-                                                 const ElementState& q, const ElementState& v,
-                                                 ElementState& f, Forms& sums) {
-  const Double4 inner = lanes(K[0]) * q.torsion[0] + lanes(K[1]) * q.torsion[1];
-  const Double4 outer = lanes(K[1]) * q.torsion[0] + lanes(K[2]) * q.torsion[1];
-  f.torsion[0] += weight * inner;
-  f.torsion[1] += weight * outer;
-  sums.value += inner * q.torsion[0] + outer * q.torsion[1];
-  sums.rate += inner * v.torsion[0] + outer * v.torsion[1];
+/// Values at both nodes of four elements, by their matrices.
+struct NodePair {
+  Double4 inner, outer;
+
+  [[gnu::always_inline]] NodePair& operator+=(const NodePair& other) {
+    inner += other.inner;
+    outer += other.outer;
+    return *this;
+  }
+  [[gnu::always_inline]] NodePair& operator-=(const NodePair& other) {
+    inner -= other.inner;
+    outer -= other.outer;
+    return *this;
+  }
+};
+[[gnu::always_inline]] inline NodePair operator*(double factor, const NodePair& pair) {
+  return {factor * pair.inner, factor * pair.outer};
+}
+[[gnu::always_inline]] inline NodePair operator+(NodePair a, const NodePair& b) { return a += b; }
+[[gnu::always_inline]] inline NodePair operator-(NodePair a, const NodePair& b) { return a -= b; }
+
+[[gnu::always_inline]] inline Turn<NodePair> turn_of(const ElementState& q) {
+  return {{q.torsion[0], q.torsion[1]},
+          {-q.plane[1].inner, -q.plane[1].outer},
+          {q.plane[0].inner, q.plane[0].outer}};
+}
+
+/// Returns the products of a matrix over both nodes, by its entries 11, 12, 22.
+[[gnu::always_inline]] inline Turn<NodePair> multiply(const std::array<Lanes, 3>& K,
+                                                      const Turn<NodePair>& th) {
+  const auto product = [&K](const NodePair& x) __attribute__((always_inline)) {
+    return NodePair{lanes(K[0]) * x.inner + lanes(K[1]) * x.outer,
+                    lanes(K[1]) * x.inner + lanes(K[2]) * x.outer};
+  };
+  return {product(th.x), product(th.y), product(th.z)};
+}
+
+/// Adds what turned sections take off to f, and their forms to the sums.
+[[gnu::always_inline]] inline void add_turned_sections(const ElementLanes& m, const SpinWeights& W,
+                                                       const ElementState& q, const ElementState& v,
+                                                       ElementState& f, TurnForms<Double4>& value,
+                                                       TurnForms<Double4>& rate) {
+  const auto dot = [](const NodePair& a, const NodePair& b) __attribute__((always_inline)) {
+    return a.inner * b.inner + a.outer * b.outer;
+  };
+  const Turn<NodePair> th = turn_of(q), rates = turn_of(v);
+  Turn<NodePair> force{};
+  const Turn<NodePair> K22 = multiply(m.turning[0], th);
+  add_forces_22(W, K22, force);
+  add_forms_22(K22, th, dot, value.of_22);
+  add_forms_22(K22, rates, dot, rate.of_22);
+  const Turn<NodePair> K33 = multiply(m.turning[1], th);
+  add_forces_33(W, K33, force);
+  add_forms_33(K33, th, dot, value.of_33);
+  add_forms_33(K33, rates, dot, rate.of_33);
+  f.torsion[0] += force.x.inner;
+  f.torsion[1] += force.x.outer;
+  f.plane[0].inner += force.z.inner;
+  f.plane[0].outer += force.z.outer;
+  f.plane[1].inner -= force.y.inner;
+  f.plane[1].outer -= force.y.outer;
 }
 
 /// Masses that four elements carry, and their tension.
@@ -153,17 +205,17 @@ struct CarriedLanes {
 
 /// Sums over all elements.
 struct StraightSums {
-  Forms carried[3], carried_mass, KL, Kx, propeller[2];
+  Forms carried[3], carried_mass, KL, Kx;
+  TurnForms<Double4> turned, turned_rate;
 
-  StiffeningForms take(Double4 Forms::*part) const {
+  StiffeningForms take(Double4 Forms::*part, const TurnForms<Double4>& turn) const {
     const auto sum = [part](const Forms& forms) { return total(forms.*part); };
     StiffeningForms forms;
     forms.tension.carried = {sum(carried[0]), sum(carried[1]), sum(carried[2])};
     forms.tension.carried_mass = sum(carried_mass);
     forms.tension.KL = sum(KL);
     forms.tension.Kx = sum(Kx);
-    forms.propeller(1, 1) = sum(propeller[0]);
-    forms.propeller(2, 2) = sum(propeller[1]);
+    forms.inertias = turn.inertia([](const Double4& s) { return total(s); });
     return forms;
   }
 };
@@ -178,9 +230,7 @@ struct StraightSums {
   const Double4 one{1.0, 1.0, 1.0, 1.0};
   sums.KL.add(one, add_tension(m.tension[1], at.tension[1] * one, q, v, f));
   sums.Kx.add(one, add_tension(m.tension[2], at.tension[2] * one, q, v, f));
-  const Position& w = at.w;
-  add_propeller(m.propeller[0], w[0] * w[0] + w[2] * w[2], q, v, f, sums.propeller[0]);
-  add_propeller(m.propeller[1], w[0] * w[0] + w[1] * w[1], q, v, f, sums.propeller[1]);
+  add_turned_sections(m, SpinWeights(at.w), q, v, f, sums.turned, sums.turned_rate);
 }
 
 void calc_forces(const BodyModel& model, const BodyMotion& motion, LaneRows::Kind elastic,
@@ -204,7 +254,8 @@ void calc_forces(const BodyModel& model, const BodyMotion& motion, LaneRows::Kin
     e += 4;
   }
   if (!place) return;
-  const StiffeningSums tension{sums.take(&Forms::value), sums.take(&Forms::rate)};
+  const StiffeningSums tension{sums.take(&Forms::value, sums.turned),
+                               sums.take(&Forms::rate, sums.turned_rate)};
   terms.stiffening = calc_hub_stiffening(*place, motion.gravity, tension);
   terms.tension = calc_tension_moment(*place, tension);
 }

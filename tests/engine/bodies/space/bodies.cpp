@@ -52,14 +52,20 @@ double tension_form(const ElementStiffening& matrices, const Position& weights,
   return sum;
 }
 
-double propeller_form(const ElementStiffening& matrices, const Position& w,
-                      const ElementValues& x) {
-  const Position y = w.cross(Position::UnitY()), z = w.cross(Position::UnitZ());
-  const double factors[3] = {y.dot(y), 2.0 * y.dot(z), z.dot(z)};
+/// Returns twice the energy that the rotation of sections takes, to second order: a vector a of a
+/// section becomes a + th x a + 1/2 th x (th x a), th linear between the nodes.
+double turning_form(const ElementStiffening& matrices, const Position& w, const ElementValues& x) {
+  const Matrix3 W = skew(w);
   double sum = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
-    const auto& K = matrices.propeller[k];
-    sum += factors[k] * (K[0] * x[3] * x[3] + 2.0 * K[1] * x[3] * x[9] + K[2] * x[9] * x[9]);
+    const auto& K = matrices.turning[k];
+    const int a = k == 2 ? 2 : 1, b = k == 0 ? 1 : 2;
+    Matrix3 P = Matrix3::Zero();
+    P(a, b) = P(b, a) = 1.0;
+    const Matrix3 inner = skew(Position(x.segment<3>(3))), outer = skew(Position(x.segment<3>(9)));
+    const Matrix3 square =
+        K[0] * inner * inner + K[1] * (inner * outer + outer * inner) + K[2] * outer * outer;
+    sum -= (W * square * P * W.transpose()).trace();
   }
   return sum;
 }
@@ -197,8 +203,7 @@ double calc_kinetic(const TestBody& test, const Twist& twist, const Angular& hub
       sum -= tension_form(element.stiffening,
                           {W0.dot(carried_by(e, test).moment), W0.dot(test.tension.origin), W0.x()},
                           x) +
-             propeller_form(element.stiffening, to_element * hub, x) +
-             inertia_form(element, hub, x);
+             turning_form(element.stiffening, to_element * hub, x) + inertia_form(element, hub, x);
   }
   return 0.5 * sum;
 }

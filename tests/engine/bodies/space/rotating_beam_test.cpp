@@ -116,6 +116,48 @@ TEST_CASE("rotation stiffens the torsion of a flat section by the propeller mome
   }
 }
 
+namespace {
+
+/// Zero for whirl of a clamped shaft of unit mass, length and bending stiffness with a frequency in
+/// the frame that stands: w'''' + c w'' - whirl^2 w = 0, c = inertia whirl (whirl - 2 speed), and
+/// at the end w'' = 0, w''' + c w' = 0.
+double calc_whirl_determinant(double whirl, double speed, double inertia) {
+  const double c = inertia * whirl * (whirl - 2.0 * speed);
+  const double root = std::sqrt(c * c + 4.0 * whirl * whirl);
+  const double a = std::sqrt(0.5 * (root - c)), b = std::sqrt(0.5 * (root + c));
+  const double slope = a * std::sinh(a) + b * std::sin(b);
+  const double bend = a * a * std::cosh(a) + b * b * std::cos(b);
+  const double shear = a * a * a * std::sinh(a) - b * b * b * std::sin(b);
+  return bend * (bend + c * (std::cosh(a) - std::cos(b))) - slope * (shear + c * slope);
+}
+
+double find_whirl(double from, double to, double speed, double inertia) {
+  const bool is_positive = calc_whirl_determinant(from, speed, inertia) > 0.0;
+  CHECK(is_positive != (calc_whirl_determinant(to, speed, inertia) > 0.0));
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (from + to);
+    const bool is_like_from = (calc_whirl_determinant(middle, speed, inertia) > 0.0) == is_positive;
+    (is_like_from ? from : to) = middle;
+  }
+  return from;
+}
+
+}  // namespace
+
+TEST_CASE("the rotary inertia of a shaft that spins splits its whirl") {
+  // As Rayleigh's shaft in the frame that stands says; the body's frame turns with it. Rotations of
+  // sections are linear between the nodes: of what inertia does, (k l)^2/12 is missing.
+  constexpr double kInertia = 2e-3, kSpeed = 8.0;
+  const auto test = make_unit_beam(16, 1.0, {0.0, kInertia, kInertia});
+  const std::vector<double> found = find_frequencies(*test, {kSpeed, 0.0, 0.0});
+  for (const double sign : {1.0, -1.0})
+    for (const double still : {3.5160, 22.0345}) {
+      const double whirl = find_whirl(sign * 0.8 * still, sign * 1.2 * still, kSpeed, kInertia);
+      CHECK(std::abs(std::abs(whirl) - still) > 5e-3 * still);
+      CHECK(deviation(found, std::abs(whirl - kSpeed)) < 5e-4);
+    }
+}
+
 TEST_CASE("a turning strip without torsional stiffness is held straight by its tension") {
   // Tension w0^2 (1 - x^2)/2 on a twisted strip of gyration k^2 = (Iy + Iz)/A: Legendre's equation,
   // (w/w0)^2 - (Iz - Iy)/(Iz + Iy) = n (2 n - 1) for its functions odd in x: 1, 6, 15.
