@@ -1,4 +1,4 @@
-// Costs of nodes are medians over some rounds of steps, and the schedule that of `spoke predict`.
+// Costs of nodes are medians over some rounds of steps, and schedules those of the flow graph.
 
 #include "bench/growth_bounds.h"
 
@@ -9,11 +9,13 @@
 #include <chrono>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include "bench/growth_table.h"
-#include "bench/predict/nodes.h"
 #include "bench/progress.h"
 #include "engine/simulation.h"
+#include "engine/simulation/node_measurement.h"
+#include "graph/calibrate/quantiles.h"
 #include "graph/machine/duration_text.h"
 #include "graph/tune/run_prediction.h"
 
@@ -33,8 +35,21 @@ double seconds_of(const Work& work) {
 
 std::string count_text(double count) { return fmt::format("{:.0f}", count); }
 
-std::vector<std::string> measure_bounds(const LargeModel& model, const graph::RuntimeCosts& runtime,
-                                        Report& report) {
+/// Returns the costs of the nodes of a run: medians over some rounds [s].
+std::vector<double> measure_costs(Simulation& simulation) {
+  std::vector<std::vector<double>> rounds;
+  for (int round = 0; round < kRounds; ++round)
+    rounds.push_back(measure_nodes(simulation, kSteps).costs);
+  std::vector<double> costs;
+  for (std::size_t node = 0; node < rounds.front().size(); ++node) {
+    std::vector<double> samples;
+    for (const std::vector<double>& round : rounds) samples.push_back(round[node]);
+    costs.push_back(graph::median(std::move(samples)));
+  }
+  return costs;
+}
+
+std::vector<std::string> measure_bounds(const LargeModel& model, Report& report) {
   show_progress(model.name + ": building");
   const double before = resident_memory();
   std::unique_ptr<Simulation> simulation;
@@ -47,10 +62,7 @@ std::vector<std::string> measure_bounds(const LargeModel& model, const graph::Ru
   for (int round = 0; round < kRounds; ++round)
     clone = std::min(clone, seconds_of([&] { const Simulation made = simulation->clone(); }));
   show_progress(model.name + ": measuring nodes");
-  predict::NodeTimer timer(*simulation);
-  for (int round = 0; round < kRounds; ++round) timer.measure(kSteps);
-  const predict::Nodes nodes = timer.summarise();
-  const graph::RunPredictor predictor(simulation->run_graph(), nodes.serial.costs, runtime);
+  const graph::RunPredictor predictor(simulation->run_graph(), measure_costs(*simulation));
   const double work = predictor.work(), span = predictor.span();
   const ModelSize size = simulation->size();
   std::vector<std::string> row{model.name,
@@ -66,7 +78,7 @@ std::vector<std::string> measure_bounds(const LargeModel& model, const graph::Ru
                  {"memory_bytes", memory}, {"start_s", start},      {"clone_s", clone},
                  {"work_s", work},         {"span_s", span}};
   for (const int processors : kProcessors) {
-    const double expected = predictor.predict(ExecutorKind::flow_graph, processors).expected;
+    const double expected = predictor.schedule(processors, graph::Overheads{});
     const double bound = work / processors + span;
     row.push_back(fmt::format("{} [{}]", figure(work / expected), figure(work / bound)));
     result.set(fmt::format("speedup_{}", processors), work / expected);
@@ -84,9 +96,7 @@ void measure_bounds(const std::vector<LargeModel>& models, Report& report) {
       {"model", "bodies", "loops", "memory", "start", "clone", "work", "span", "work / span"},
       {}};
   for (const int processors : kProcessors) table.columns.push_back(std::to_string(processors));
-  const graph::RuntimeCosts runtime = graph::measure_runtime_costs();
-  for (const LargeModel& model : models)
-    table.rows.push_back(measure_bounds(model, runtime, report));
+  for (const LargeModel& model : models) table.rows.push_back(measure_bounds(model, report));
   report.add_table(table);
   report.add_remark(
       "Work and span are those of a run of one pass, by node costs measured here. Processors are "

@@ -69,7 +69,6 @@ program/trace/	files of traced steps
 program/cli/	the command line
 bench/compare/	executors compared
 bench/reproduce/	the paper's evaluation
-bench/predict/	times on more threads
 bench/programs/	spoke-compare and so on
 END
 }

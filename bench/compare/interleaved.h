@@ -1,6 +1,6 @@
 #pragma once
 
-// The protocol by which compare, predict, reproduce and the benchmarks measure. Their claims are
+// The protocol by which compare, reproduce and the benchmarks measure. Their claims are
 // ratios of two ways to do the same work on one machine, so all ways take turns within one run: a
 // round times each of them once, and the ratio is taken within the round, where a busy neighbour or
 // a changed clock frequency meets both. Processes of their own take turns in compare/rounds.h.

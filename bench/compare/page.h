@@ -1,6 +1,6 @@
 #pragma once
 
-// Common parts of the pages of compare, predict and reproduce.
+// Common parts of the pages of compare and reproduce.
 
 #include <string_view>
 #include <vector>

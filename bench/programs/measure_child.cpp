@@ -100,7 +100,7 @@ Timed run_steps(Simulation& simulation, std::int64_t steps) {
 
 Batch make_batch(const std::vector<std::string>& words) {
   if (words.size() < kFixedWords)
-    throw InputError("is started by the commands compare, predict and reproduce only");
+    throw InputError("is started by the commands compare and reproduce only");
   const Scenario scenario = make_scenario(words);
   const SimulationOptions options = make_options(words);
   switch (value_of<Work>(words[9], {Work::steps, Work::inverse, Work::run})) {

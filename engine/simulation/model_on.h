@@ -82,7 +82,6 @@ class ModelOn final : public SimulatedModel {
     return made;
   }
   void share_out(Exchange& exchange) override { spoke::share_out(exchange, *context_); }
-  std::vector<double> weights() const override { return weights_of(data()); }
   void put_bodies(const std::vector<Eigen::VectorXd>& q) override {
     spoke::put_bodies(q, *context_);
     close_loops(*context_);

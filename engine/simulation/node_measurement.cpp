@@ -24,10 +24,4 @@ int open_window(Simulation& simulation) {
   return core.runner->run_steps();
 }
 
-std::vector<int> share_subsystems(Simulation& simulation, int processes) {
-  const std::vector<double> weights = core_of(simulation).model->weights();
-  require_range("the number of processes", processes, 1, std::ssize(weights));
-  return share_out(weights, processes);
-}
-
 }  // namespace spoke

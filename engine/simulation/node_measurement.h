@@ -1,6 +1,6 @@
 #pragma once
 
-// Times of nodes within the steps of a simulation, for predictions, comparisons and benchmarks.
+// Times of nodes within the steps of a simulation, for traces, comparisons and benchmarks.
 
 #include <cstdint>
 #include <vector>
@@ -26,11 +26,8 @@ NodeMeasurement measure_nodes(Simulation& simulation, std::int64_t steps);
 /// Builds the graph of the window that the executor auto chooses on several threads for simulations
 /// that are long enough to plan for, without planning. Simulation::run_graph() is then this graph,
 /// for measure_nodes(). Makes the steps by which the choice is timed, unless run_until() has chosen
-/// before. Returns about how many steps a run of run_graph() makes. Throws like run_until().
+/// before; if these are all, there is no window. Returns about how many steps a run of run_graph()
+/// makes. Throws like run_until().
 int open_window(Simulation& simulation);
-
-/// Returns the first subsystem of each of so many processes, and behind these the number of
-/// subsystems. Throws InputError unless 1 <= processes <= subsystems.
-std::vector<int> share_subsystems(Simulation& simulation, int processes);
 
 }  // namespace spoke

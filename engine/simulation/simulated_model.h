@@ -63,8 +63,6 @@ class SimulatedModel {
                                                std::int64_t steps) = 0;
   /// Shares the subsystems out, see spoke::share_out().
   virtual void share_out(Exchange& exchange) = 0;
-  /// Returns the weights by which share_out() shares.
-  virtual std::vector<double> weights() const = 0;
   /// Puts the bodies at coordinates, see spoke::put_bodies().
   virtual void put_bodies(const std::vector<Eigen::VectorXd>& q) = 0;
 

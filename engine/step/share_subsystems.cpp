@@ -43,8 +43,7 @@ std::vector<MemoryPieces> by_rank(const std::vector<int>& first, const MemoryOf&
   return all;
 }
 
-}  // namespace
-
+/// Estimates the costs of the subsystems: their coordinates, and the frames of their bodies.
 template <class World>
 std::vector<double> weights_of(const StepData<World>& data) {
   std::vector<double> weights;
@@ -59,6 +58,8 @@ std::vector<double> weights_of(const StepData<World>& data) {
   }
   return weights;
 }
+
+}  // namespace
 
 template <class World>
 void share_out(Exchange& exchange, SystemContext<World>& context) {
@@ -116,8 +117,6 @@ bool SystemContext<World>::share_window(bool asks_to_stop) {
   return std::any_of(asks.begin(), asks.end(), [](Flag flag) -> bool { return flag; });
 }
 
-template std::vector<double> weights_of(const StepData<Plane>&);
-template std::vector<double> weights_of(const StepData<Space>&);
 template void share_out(Exchange&, SystemContext<Plane>&);
 template void share_out(Exchange&, SystemContext<Space>&);
 template bool SystemContext<Plane>::share_window(bool);

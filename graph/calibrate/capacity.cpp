@@ -8,7 +8,6 @@
 #include <memory>
 #include <string>
 
-#include "graph/calibrate/timed_runs.h"
 #include "graph/execute/executor_kinds.h"
 #include "graph/execute/unbound_thread.h"
 #include "graph/machine/time_stamp.h"

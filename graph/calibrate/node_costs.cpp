@@ -5,25 +5,12 @@
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
-#include <numeric>
 #include <span>
 
+#include "graph/calibrate/quantiles.h"
 #include "graph/machine/time_stamp.h"
 
 namespace spoke::graph {
-namespace {
-
-/// Returns a robust mean of samples in ticks, which it sorts.
-double robust_mean(std::vector<std::uint64_t>& samples) {
-  std::sort(samples.begin(), samples.end());
-  const std::size_t kept = (3 * samples.size() + 3) / 4;
-  const auto end = samples.begin() + static_cast<std::ptrdiff_t>(kept);
-  return std::accumulate(samples.begin(), end, 0.0,
-                         [](double sum, std::uint64_t s) { return sum + static_cast<double>(s); }) /
-         static_cast<double>(kept);
-}
-
-}  // namespace
 
 void NodeCosts::run() {
   const std::span<const NodeId> order = graph_.serial_order();

@@ -1,38 +1,36 @@
 #pragma once
 
-// Medians and quartiles of measured times.
+// Typical values of measured times.
 
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
-#include <utility>
+#include <numeric>
 #include <vector>
 
 namespace spoke::graph {
 
-namespace detail {
-/// Returns the value below which the fraction `numerator`/`denominator` of all values lies.
-/// Precondition: not empty.
-template <class Value>
-Value order_statistic(std::vector<Value> values, std::size_t numerator, std::size_t denominator) {
-  assert(!values.empty() && numerator < denominator);
-  const auto place =
-      values.begin() + static_cast<std::ptrdiff_t>(values.size() * numerator / denominator);
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
-}  // namespace detail
-
 /// Returns the middle value, the upper one for an even number. Precondition: not empty.
 template <class Value>
 Value median(std::vector<Value> values) {
-  return detail::order_statistic(std::move(values), 1, 2);
+  assert(!values.empty());
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
 }
 
-/// Returns the value of an undisturbed sample, since disturbances only add time. Precondition: not
-/// empty.
-inline double lower_quartile(std::vector<double> values) {
-  return detail::order_statistic(std::move(values), 1, 4);
+/// Returns the mean of the smaller three quarters of all values, which it sorts: that leaves out
+/// interruptions, but keeps the mean of nodes that are idle in some runs and busy in others.
+/// Precondition: not empty.
+template <class Value>
+double robust_mean(std::vector<Value>& values) {
+  assert(!values.empty());
+  std::sort(values.begin(), values.end());
+  const std::size_t kept = (3 * values.size() + 3) / 4;
+  const auto end = values.begin() + static_cast<std::ptrdiff_t>(kept);
+  return std::accumulate(values.begin(), end, 0.0,
+                         [](double sum, Value value) { return sum + static_cast<double>(value); }) /
+         static_cast<double>(kept);
 }
 
 }  // namespace spoke::graph

@@ -40,4 +40,9 @@ struct TimeStampScale {
 /// Returns the scale, measured once per process, against std::chrono::steady_clock, in about 2 ms.
 const TimeStampScale& time_stamp_scale();
 
+/// Returns the time since time_stamp() gave `begin` [s].
+inline double seconds_since(std::uint64_t begin) {
+  return static_cast<double>(time_stamp() - begin) * time_stamp_scale().seconds_per_tick;
+}
+
 }  // namespace spoke::graph

@@ -10,8 +10,7 @@
 namespace spoke::graph {
 
 /// The costs of running a plan beside its nodes' bodies [s]; the defaults are those of oneTBB on
-/// common processors. They are enough for plans that are tried on real runs; predictions measure
-/// the costs of a cluster and a handover (calibrate/runtime_costs.h).
+/// common processors, which is enough for plans that are tried on real runs.
 struct Overheads {
   double per_node = 2e-9;      ///< calling a node within its cluster
   double per_cluster = 80e-9;  ///< starting a cluster

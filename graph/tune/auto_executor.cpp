@@ -15,7 +15,6 @@
 
 #include "graph/calibrate/node_costs.h"
 #include "graph/calibrate/quantiles.h"
-#include "graph/calibrate/timed_runs.h"
 #include "graph/execute/executor_kinds.h"
 #include "graph/execute/node_recorder.h"
 #include "graph/execute/unbound_thread.h"

@@ -9,7 +9,6 @@
 #include <cstdio>
 
 #include "graph/calibrate/capacity.h"
-#include "graph/calibrate/timed_runs.h"
 #include "graph/machine/time_stamp.h"
 
 namespace spoke::graph {

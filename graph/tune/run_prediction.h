@@ -4,61 +4,41 @@
 
 #include <vector>
 
-#include "graph/calibrate/runtime_costs.h"
-#include "graph/executor.h"
+#include "graph/plan/plan.h"
+#include "graph/simulate/schedule.h"
 
 namespace spoke::graph {
 
-/// The time of one run [s], and the bounds of any greedy schedule: max(T1 / P, Tinf), and
-/// (T1 - Tinf) / P + Tinf (Graham 1969).
-struct PredictedRun {
-  double expected = 0.0;
-  double optimistic = 0.0;
-  double pessimistic = 0.0;  ///< at least `expected`, by the costs of the runtime
-  /// Clusters of the plan that is run; 1: serially; 0: the executor has no plans.
-  int clusters = 0;
+/// How the executor auto would run a graph.
+struct AutoRun {
+  double seconds = 0.0;  ///< of a run [s]
+  int clusters = 1;      ///< of the plan that is run; 1: serially
 };
 
-/// Factors by which the costs of nodes may be off.
-struct CostSpread {
-  double low = 1.0;   ///< <= 1
-  double high = 1.0;  ///< >= 1
-};
-
-/// Predicts how long executors take for a run on any number of processors, equal to the one on
-/// which nodes and runtimes were measured, by the same schedule that the executor auto ranks its
-/// plans with: costs of nodes, of clusters, and of handovers. The movement of data between
-/// processors, and resources they share, are not modelled. For the bounds nodes are at their
-/// cheapest and at their dearest.
+/// Predicts how long runs of a graph take on processors equal to the one on which its nodes were
+/// timed. The movement of data between processors, and resources they share, are not modelled.
 class RunPredictor {
  public:
   /// Refers to `graph`, which must outlive the predictor. `node_costs`: costs on one thread, by
   /// index of the node [s].
-  RunPredictor(const StepGraph& graph, std::vector<double> node_costs, const RuntimeCosts& runtime,
-               CostSpread spread = {});
+  RunPredictor(const StepGraph& graph, std::vector<double> node_costs);
 
   double work() const;  ///< T1 [s]
   double span() const;  ///< Tinf [s]
 
-  /// Whether runs of this executor can be predicted: serial, flow_graph, auto, and openmp_levels if
-  /// its barrier was measured.
-  bool can_predict(ExecutorKind kind) const;
-  /// Predicts a run on `threads` threads. Precondition: can_predict(kind), threads >= 1. Each
-  /// thread has a processor of its own. `auto` runs the plan that the simulator finds best, or
-  /// serially if no plan is faster.
-  PredictedRun predict(ExecutorKind kind, int threads) const;
+  /// Returns the time of a list schedule of single nodes [s]: a processor that ends a node goes on
+  /// with one that this makes ready, and one without work takes the oldest that another offers.
+  /// Precondition: processors >= 1.
+  double schedule(int processors, const Overheads& overheads) const;
+
+  /// Returns what the executor auto would take on so many threads, each with a processor of its
+  /// own: the fastest of the plans that it would make, or serially if none gains as much as it asks
+  /// for. Precondition: threads >= 1.
+  AutoRun choose(int threads) const;
 
  private:
-  PredictedRun within_bounds(double seconds, int threads, int clusters) const;
-  PredictedRun predict_plan(const Plan& plan, int threads) const;
-  PredictedRun predict_serial() const;
-  PredictedRun predict_auto(int threads) const;
-  PredictedRun predict_levels(int threads) const;
-
   const StepGraph& graph_;
   std::vector<double> node_costs_;
-  RuntimeCosts runtime_;
-  CostSpread spread_;
   Plan single_nodes_;
 };
 

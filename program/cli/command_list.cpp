@@ -42,7 +42,6 @@ std::vector<Command> list_commands(const std::vector<Command>& own) {
       {.name = "export", .summary = kExportSummary},
       {.name = "fmu", .summary = kFmuSummary},
       {.name = "compare", .summary = kCompareSummary},
-      {.name = "predict", .summary = kPredictSummary},
       {.name = "trace", .program = kWhole, .summary = "Record steps, node by node, to look at"},
       {.name = "reproduce", .summary = kReproduceSummary},
   };

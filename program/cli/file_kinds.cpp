@@ -39,7 +39,6 @@ const std::array kResultKinds{
     ResultKind{"runs.csv", {kTable, "run,status"}},
     ResultKind{"histories.csv", {kTable, "run,t"}},
     ResultKind{"compare.csv", {kTable, "formulation,executor,"}},
-    ResultKind{"predict.csv", {kTable, "executor,threads,"}},
     ResultKind{".html", kPage},
     ResultKind{".json", {"a file of JSON", "{"}},
     ResultKind{".mtx", {"a matrix (Matrix Market)", "%%MatrixMarket"}},

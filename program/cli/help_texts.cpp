@@ -9,7 +9,6 @@ const char* const kImportSummary = "Make a scenario of blade and tower files of 
 const char* const kFmuSummary = "Make an FMU of a scenario, for other programs to simulate with";
 const char* const kExportSummary = "Write a blade of a scenario as files of another program";
 const char* const kCompareSummary = "Measure which executor and number of threads is fastest here";
-const char* const kPredictSummary = "Predict how fast a step is on more threads than there are";
 const char* const kReproduceSummary = "Repeat the paper's evaluation on this machine";
 
 const char* const kStatusText = R"(Exit status:
@@ -204,7 +203,9 @@ const char* const kTraceText =
     R"(Records which thread runs which node of the step graph when, in the steps that follow --from. The
 steps are those of spoke run: same graph, same executor, same bits. Steps that are less than half a
 window run without windows, and as long as auto has not chosen, it runs them serially: a line says
-so. If the simulation diverges meanwhile, the steps before are written.
+so. If the simulation diverges meanwhile, the steps before are written. Then simulates the steps on
+other numbers of threads, with the nodes as costly as they were: by a list schedule that costs
+nothing, and by the plan that auto would take.
 
 Output files, in the folder of --out:
   trace.json  Chrome trace events, for https://ui.perfetto.dev and chrome://tracing
@@ -228,7 +229,6 @@ const char* const kProgramText = R"(Examples:
   spoke export beamdyn models/nrel_5mw_rotor.toml --out nrel_5mw_BeamDyn.dat
   spoke fmu models/wu_haug_rotor.toml --out rotor.fmu
   spoke compare models/wu_haug_rotor.toml
-  spoke predict models/wu_haug_rotor.toml
   spoke trace models/wu_haug_rotor.toml
   spoke reproduce
 

@@ -29,7 +29,6 @@ extern const char* const kImportSummary;
 extern const char* const kExportSummary;
 extern const char* const kFmuSummary;
 extern const char* const kCompareSummary;
-extern const char* const kPredictSummary;
 extern const char* const kReproduceSummary;
 
 }  // namespace spoke::cli

@@ -107,6 +107,8 @@ std::string check_first(const std::vector<Command>& commands,
   const std::string& first = words[0];
   for (const Command& command : commands)
     if (first == command.name) return "spoke " + first;
+  if (first == "predict")
+    throw InputError("spoke predict: is the section \"More threads\" of spoke trace now");
   if (first == "-h" || first == "--help" || first == "--version") return "spoke";
   throw InputError("spoke: unknown command \"" + first + "\", expected " + list_names(commands) +
                    " (see spoke --help)");

@@ -1,10 +1,13 @@
-// Parses the number of steps, the time and the size of the buffer.
+// Parses the number of steps, the time, the size of the buffer and numbers of threads.
 
 #include "program/cli/trace_arguments.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
 #include <cstdint>
 
+#include "graph/executor.h"
 #include "program/cli/number_option.h"
 
 namespace spoke::cli {
@@ -13,6 +16,30 @@ namespace {
 constexpr std::int64_t kMostSteps = 100000;
 constexpr double kMostBuffer = 65536.0;  // [MB]
 constexpr double kLatest = 1e300;        // [s]
+
+int parse_count(const std::string& text) {
+  int count = 0;
+  const char* const last = text.data() + text.size();
+  const auto [end, fault] = std::from_chars(text.data(), last, count);
+  if (fault != std::errc{} || end != last || count < 1 || count > graph::kMostThreads)
+    throw CLI::ValidationError("--more-threads", "expected numbers from 1 to " +
+                                                     std::to_string(graph::kMostThreads) +
+                                                     ", separated by commas, got \"" + text + '"');
+  return count;
+}
+
+/// Parses "1,2,4" into ascending order, each number once.
+std::vector<int> parse_counts(const std::string& list) {
+  std::vector<int> counts;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    counts.push_back(parse_count(list.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  std::sort(counts.begin(), counts.end());
+  counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
+  return counts;
+}
 
 }  // namespace
 
@@ -38,6 +65,12 @@ void add_trace_options(CLI::App& command, TraceArguments& arguments) {
           },
           "Memory for the recording; steps that do not fit are left out [256]")
       ->type_name("MB");
+  command
+      .add_option_function<std::string>(
+          "--more-threads",
+          [&](const std::string& list) { arguments.more_threads = parse_counts(list); },
+          "Numbers of threads on which the steps are simulated\n[1,2,4,8,16,32,64]")
+      ->type_name("N,N,...");
 }
 
 }  // namespace spoke::cli

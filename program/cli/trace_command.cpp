@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "engine/simulation/node_measurement.h"
 #include "models/count_text.h"
 #include "models/error.h"
 #include "program/cli/build_simulation.h"
@@ -18,6 +19,7 @@
 #include "program/cli/standard_streams.h"
 #include "program/cli/trace_files.h"
 #include "program/trace/files.h"
+#include "program/trace/more_threads.h"
 
 namespace spoke::cli {
 namespace {
@@ -85,6 +87,22 @@ Traced record(const TraceArguments& asked, std::int64_t steps, Simulation& simul
   return traced;
 }
 
+/// Simulates the traced steps on other numbers of threads: by the graph that `simulation` runs, for
+/// auto in the window that it chooses. To choose one it makes some of the steps that are left.
+trace::MoreThreads find_more_threads(const TraceArguments& asked, const Traced& traced,
+                                     Simulation& simulation) {
+  show_progress("simulating more threads");
+  int window_steps = 1;
+  try {
+    if (traced.divergence.empty()) window_steps = open_window(simulation);
+  } catch (const DivergenceError&) {  // behind the traced steps; runs of a pass remain
+  }
+  auto found = trace::find_more_threads(traced.steps, simulation.run_graph(), window_steps,
+                                        asked.more_threads);
+  show_progress("");
+  return found;
+}
+
 }  // namespace
 
 int trace(const Arguments& arguments) {
@@ -101,7 +119,8 @@ int trace(const Arguments& arguments) {
   run_to(asked.from, simulation);
   Traced traced = record(asked, steps, simulation);
   print_model(simulation);
-  write_trace(simulation, std::move(traced.steps), folder, true);
+  trace::MoreThreads more = find_more_threads(asked, traced, simulation);
+  write_trace(simulation, std::move(traced.steps), folder, true, std::move(more));
   if (traced.divergence.empty()) return 0;
   print_error(traced.divergence);
   return 3;

@@ -53,6 +53,32 @@ void print_summary(const StepTrace& trace, const Capacity& capacity) {
                                  counted(threads, "thread")));
 }
 
+std::string describe_runs(const trace::MoreThreads& more) {
+  if (more.window_steps > 1) return fmt::format("windows of {} steps", more.window_steps);
+  return more.passes == 1 ? "runs of one pass" : fmt::format("runs of {} passes", more.passes);
+}
+
+report::Table table_of(const trace::MoreThreads& more) {
+  using report::Align;
+  report::Table table{
+      fmt::format("More threads, in {}: T1 = {} and Tinf = {} a step, at most {:.3g} times as fast",
+                  describe_runs(more), graph::duration_text(more.work),
+                  graph::duration_text(more.span), more.bound()),
+      {{"threads", Align::number},
+       {"list schedule", Align::number},
+       {"speedup", Align::number},
+       {"auto", Align::number},
+       {"speedup", Align::number},
+       {"plan of auto"}}};
+  for (const trace::StepOnThreads& row : more.rows)
+    table.rows.push_back(
+        {{std::to_string(row.threads), graph::duration_text(row.scheduled),
+          fmt::format("{:.2f}", more.work / row.scheduled), graph::duration_text(row.by_auto),
+          fmt::format("{:.2f}", more.work / row.by_auto),
+          row.clusters == 1 ? "serial" : counted(row.clusters, "cluster")}});
+  return table;
+}
+
 std::string list(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
@@ -73,9 +99,10 @@ std::int64_t megabytes(std::size_t bytes) {
 }
 
 void write_trace(const Simulation& simulation, StepTrace steps, const std::filesystem::path& folder,
-                 bool prints) {
+                 bool prints, std::optional<trace::MoreThreads> more_threads) {
   assert(!steps.steps.empty());
-  const trace::Trace trace = trace::describe(simulation, std::move(steps));
+  trace::Trace trace = trace::describe(simulation, std::move(steps));
+  trace.more_threads = std::move(more_threads);
   const trace::WrittenFiles written = trace::write_files(trace, folder, viewer_page());
   if (!prints) return;
   print_line("traced", describe_steps(trace.steps));
@@ -85,6 +112,10 @@ void write_trace(const Simulation& simulation, StepTrace steps, const std::files
   for (const std::string& remark : written.remarks) print_line("", remark);
   const std::string on_size = trace::remark_on_size(trace.steps.slices.size());
   if (!on_size.empty()) print_line("", on_size);
+  if (trace.more_threads) {
+    print_table(table_of(*trace.more_threads));
+    print("\n");
+  }
   print_line("written", folder.string() + ": " + list(written.names));
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "engine/simulation.h"
+#include "program/trace/more_threads.h"
 
 namespace spoke::cli {
 
@@ -15,9 +16,10 @@ namespace spoke::cli {
 std::int64_t megabytes(std::size_t bytes);
 
 /// Writes the files of a trace that `simulation` has made to an existing folder and, if `prints`, a
-/// summary to standard output. Throws InputError. Precondition: there is a step.
+/// summary to standard output, with what more threads would gain where that is known. Throws
+/// InputError. Precondition: there is a step.
 void write_trace(const Simulation& simulation, StepTrace steps, const std::filesystem::path& folder,
-                 bool prints);
+                 bool prints, std::optional<trace::MoreThreads> more_threads = {});
 
 /// Writes the trace that a run has recorded as write_trace() does; `steps` is none if the run had
 /// no step left. Without a step a line on stderr says why there is no trace.

@@ -10,7 +10,6 @@ Launch::~Launch() = default;
 
 std::uint64_t Launch::broadcast(std::uint64_t number) const { return number; }
 std::vector<std::uint64_t> Launch::gather(std::uint64_t number) const { return {number}; }
-double Launch::measure_latency() const { return 0.0; }
 std::unique_ptr<Exchange> Launch::make_exchange() const { return nullptr; }
 
 }  // namespace spoke::ranks

@@ -34,10 +34,6 @@ class Launch {
   /// Returns the numbers of all processes; called by all at once.
   std::vector<std::uint64_t> gather(std::uint64_t number) const;
 
-  /// Returns the time of a message of 4 kB from the first process to the second, or back [s]; 0 if
-  /// this one is alone. Called by all at once.
-  double measure_latency() const;
-
   /// Makes the exchange by which the processes simulate one model together; null if this one is
   /// alone.
   std::unique_ptr<Exchange> make_exchange() const;

@@ -63,26 +63,6 @@ std::vector<std::uint64_t> Launch::gather(std::uint64_t number) const {
   return all;
 }
 
-double Launch::measure_latency() const {
-  constexpr int kBytes = 4096, kWarmUp = 200, kTimes = 2000;
-  if (count_ == 1 || rank_ > 1) return 0.0;
-  std::vector<std::byte> message(kBytes);
-  const auto send = [&] {
-    MPI_Send(message.data(), kBytes, MPI_BYTE, 1 - rank_, 0, MPI_COMM_WORLD);
-  };
-  const auto receive = [&] {
-    MPI_Recv(message.data(), kBytes, MPI_BYTE, 1 - rank_, 0, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-  };
-  double start = 0.0;
-  for (int k = -kWarmUp; k < kTimes; ++k) {
-    if (k == 0) start = MPI_Wtime();
-    if (rank_ == 0) send();
-    receive();
-    if (rank_ == 1) send();
-  }
-  return (MPI_Wtime() - start) / (2.0 * kTimes);
-}
-
 std::unique_ptr<Exchange> Launch::make_exchange() const {
   if (count_ == 1) return nullptr;
   return std::make_unique<MpiExchange>(rank_, count_);

@@ -72,6 +72,24 @@ Json describe_steps(const StepTrace& trace) {
   return steps;
 }
 
+Json describe_more_threads(const std::optional<MoreThreads>& more) {
+  if (!more) return nullptr;
+  Json rows = Json::array();
+  for (const StepOnThreads& row : more->rows)
+    rows.push_back({{"threads", row.threads},
+                    {"scheduled_s", row.scheduled},
+                    {"scheduled_speedup", more->work / row.scheduled},
+                    {"auto_s", row.by_auto},
+                    {"auto_speedup", more->work / row.by_auto},
+                    {"auto_clusters", row.clusters}});
+  return {{"window_steps", more->window_steps},
+          {"passes_per_run", more->passes},
+          {"work_s", more->work},
+          {"span_s", more->span},
+          {"bound", more->bound()},
+          {"predictions", rows}};
+}
+
 /// Adds a column, without the comma behind it.
 template <class Append>
 void add_column(fmt::memory_buffer& text, std::string_view name,
@@ -129,7 +147,8 @@ std::string make_description(const Trace& trace) {
                   {"threads", threads},
                   {"steps", describe_steps(trace.steps)},
                   {"dropped_steps", trace.steps.dropped_steps},
-                  {"recording_cost_s", trace.steps.recording_cost}};
+                  {"recording_cost_s", trace.steps.recording_cost},
+                  {"more_threads", describe_more_threads(trace.more_threads)}};
   return json.dump();
 }
 

@@ -9,8 +9,8 @@
 
 namespace spoke::trace {
 
-/// Returns the trace without its slices, as JSON: settings, machine, graph, threads and steps.
-/// Fields are those of docs/trace.md.
+/// Returns the trace without its slices, as JSON: settings, machine, graph, threads, steps, and
+/// what more threads would gain. Fields are those of docs/trace.md.
 std::string make_description(const Trace& trace);
 
 /// Returns the trace with its slices as columns: the data that the page trace.html reads.

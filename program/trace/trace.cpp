@@ -80,7 +80,8 @@ Trace describe(const Simulation& simulation, StepTrace steps) {
           load_average(),
           measure_capacity(),
           now(),
-          std::move(notes)};
+          std::move(notes),
+          {}};
 }
 
 const TracedStep& middle_step(const StepTrace& steps) {

@@ -2,11 +2,13 @@
 
 // A trace with all settings that its files mention.
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/simulation.h"
 #include "engine/support/machine.h"
+#include "program/trace/more_threads.h"
 
 namespace spoke::trace {
 
@@ -25,6 +27,7 @@ struct Trace {
   std::string created;  ///< time of the trace in UTC: "2026-11-21T15:00:00Z"
   /// Notes on how the steps were made, a sentence each.
   std::vector<std::string> notes;
+  std::optional<MoreThreads> more_threads;  ///< what they would gain, where it was asked for
 };
 
 /// Describes `steps`, which `simulation` has made, with the settings of the simulation.

@@ -77,6 +77,6 @@ fi
 [ -s "$work/spoke/usr/share/doc/spoke/examples/first_rotor.cpp" ]
 "$program" check "$work/spoke/usr/share/spoke/models/wu_haug_rotor.toml"
 SPOKE_CACHE=none "$program" reduce "$work/spoke/usr/share/spoke/models/solid_bracket.toml" >/dev/null
-for command in study compare predict reproduce; do  # programs of their own
+for command in study compare reproduce; do  # programs of their own
   "$program" "$command" --help | grep -q "^Usage: spoke $command "
 done

@@ -197,6 +197,7 @@ StepOutcome StepRunner::open_window(bool observed, const TimeStepper::Completed&
     const StepOutcome outcome = advance_timed(target, observed, completed);
     if (outcome != StepOutcome::done) return outcome;
   }
+  if (steps() >= options_.planned_steps) return StepOutcome::done;  // nothing is left to plan for
   const int passes = window_passes(options_.planned_steps - steps());
   window_ = std::make_unique<Runner>(context_, passes, passes_per_step());
   window_->executor = graph::make_executor(window_->graph, ExecutorKind::serial);

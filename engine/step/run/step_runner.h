@@ -57,7 +57,7 @@ class StepRunner {
   StepOutcome advance_one(const TimeStepper::Completed& completed);
   /// Prepares the executor `automatic` on several threads without a window: makes the steps that it
   /// times first, and builds the graph of the window that it would choose for a simulation that is
-  /// worth planning for. Plans nothing.
+  /// worth planning for; none if no step is left then. Plans nothing.
   StepOutcome open_window(bool observed, const TimeStepper::Completed& completed);
   /// Advances by an executor of the caller's that runs run_graph().
   StepOutcome advance_by(graph::Executor& executor, std::int64_t target, bool observed,

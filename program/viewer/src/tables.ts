@@ -1,9 +1,10 @@
-// The table of stages and the table of threads.
+// The table of stages, the table of threads, and that of more threads.
 import { stageRows } from './analysis';
 import { element } from './dom';
-import { percent, ratio, time } from './format';
+import { percent, plural, ratio, time } from './format';
 import { Palette, swatchStyle } from './palette';
 import { State } from './state';
+import { MoreThreads } from './trace';
 
 function headRow(names: string[]): HTMLElement {
   return element('thead', {}, element('tr', {}, ...names.map((name, k) =>
@@ -55,9 +56,19 @@ export function showStages(host: HTMLElement, state: State, palette: Palette): v
   host.replaceChildren(element('table', {}, headRow(names), element('tbody', {}, ...body), element('tfoot', {}, foot)));
 }
 
+function moreThreadsTable({ windowSteps, passes, work, span, rows }: MoreThreads): HTMLElement {
+  const runs = windowSteps > 1 ? `windows of ${windowSteps} steps` : `runs of ${plural(passes, 'pass')}`;
+  const body = rows.map((row) => element('tr', { title: `auto: ${row.clusters === 1 ? 'serial' : plural(row.clusters, 'cluster')}` },
+    element('th', { scope: 'row' }, String(row.threads)), number(time(row.scheduled), row.scheduled), number(ratio(work / row.scheduled)),
+    number(time(row.byAuto), row.byAuto), number(ratio(work / row.byAuto))));
+  return element('table', { id: 'morethreads' },
+    element('caption', {}, `More threads, simulated in ${runs}: at most ${ratio(work / span)}`),
+    headRow(['threads', 'schedule', 'speedup', 'auto', 'speedup']), element('tbody', {}, ...body));
+}
+
 export function showThreads(host: HTMLElement, state: State): void {
   const analysis = state.recording.analysis(state.stepOf(state.active));
-  const { threads } = state.recording.trace;
+  const { threads, moreThreads } = state.recording.trace;
   const split = (busy: number, scheduler: number, all: number) => element('td', { class: 'splitted' },
     element('div', { class: 'split' }, element('span', { style: `width:${(100 * busy) / all}%` }),
       element('span', { style: `width:${(100 * scheduler) / all}%` })));
@@ -72,5 +83,5 @@ export function showThreads(host: HTMLElement, state: State): void {
     number(time(analysis.scheduler), analysis.scheduler));
   const table = element('table', {}, headRow(['thread', '', 'busy', 'nothing ready', 'scheduler']),
     element('tbody', {}, ...rows), element('tfoot', {}, foot));
-  host.replaceChildren(table);
+  host.replaceChildren(table, ...(moreThreads ? [moreThreadsTable(moreThreads)] : []));
 }

@@ -37,6 +37,25 @@ export interface Slices {
   duration: Float64Array;
 }
 
+/** A step on a number of threads, as simulated. Times in microseconds. */
+export interface StepOnThreads {
+  threads: number;
+  scheduled: number;
+  byAuto: number;
+  /** Of auto's plan; 1: serially. */
+  clusters: number;
+}
+
+export interface MoreThreads {
+  /** Steps and passes that a run of the graph makes. */
+  windowSteps: number;
+  passes: number;
+  /** T1 and Tinf of a step, in microseconds. */
+  work: number;
+  span: number;
+  rows: StepOnThreads[];
+}
+
 export interface Trace {
   program: string;
   created: string;
@@ -53,6 +72,8 @@ export interface Trace {
   droppedSteps: number;
   /** What else to know of how the steps were made, a sentence each. */
   notes: string[];
+  /** What more threads would gain; null: it was not asked. */
+  moreThreads: MoreThreads | null;
   slices: Slices;
 }
 
@@ -143,6 +164,20 @@ function readSteps(source: unknown[]): StepInfo[] {
   });
 }
 
+function readMoreThreads(source: Json): MoreThreads {
+  const rows = listAt(source, 'predictions').map((entry) => {
+    const row = entry as Json;
+    return {
+      threads: Number(row.threads), scheduled: 1e6 * Number(row.scheduled_s),
+      byAuto: 1e6 * Number(row.auto_s), clusters: Number(row.auto_clusters),
+    };
+  });
+  return {
+    windowSteps: Number(source.window_steps), passes: Number(source.passes_per_run),
+    work: 1e6 * Number(source.work_s), span: 1e6 * Number(source.span_s), rows,
+  };
+}
+
 /** The columns reordered by begin, unless they are ordered already. */
 function orderedByBegin(slices: Slices): Slices {
   const { begin, count } = slices;
@@ -200,6 +235,7 @@ export function readTrace(data: unknown): Trace {
     stages, graph, threads, steps,
     droppedSteps: Number(source.dropped_steps ?? 0),
     notes: source.notes === undefined ? [] : listAt(source, 'notes').map(String),
+    moreThreads: source.more_threads ? readMoreThreads(objectAt(source, 'more_threads')) : null,
     slices: readSlices(objectAt(source, 'slices'), graph, threads.length, steps),
   };
 }

@@ -29,6 +29,16 @@ test('notes are read, and a trace without them has none', () => {
   assert.deepEqual(readTrace(smallData(kSlices)).notes, []);
 });
 
+test('what more threads would gain is read, in microseconds', () => {
+  const predictions = [{ threads: 4, scheduled_s: 2e-6, auto_s: 3e-6, auto_clusters: 5 }];
+  const more = { window_steps: 9, passes_per_run: 18, work_s: 6e-6, span_s: 1e-6, predictions };
+  const read = readTrace({ ...smallData(kSlices), more_threads: more }).moreThreads;
+  assert.deepEqual(read?.rows, [{ threads: 4, scheduled: 2, byAuto: 3, clusters: 5 }]);
+  assert.deepEqual([read?.windowSteps, read?.passes, read?.work, read?.span], [9, 18, 6, 1]);
+  assert.equal(readTrace({ ...smallData(kSlices), more_threads: null }).moreThreads, null);
+  assert.equal(readTrace(smallData(kSlices)).moreThreads, null);
+});
+
 const kWrong: [string, (data: any) => unknown, RegExp][] = [
   ['another format', (data) => ({ ...data, format: 'x' }), /not a trace of Spoke/],
   ['another version', (data) => ({ ...data, version: 2 }), /version is 2/],

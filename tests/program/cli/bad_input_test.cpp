@@ -15,12 +15,12 @@ TEST_CASE("a bad command line is refused in one line and nothing is written") {
   check_refused({},
                 "spoke: no command, expected run, check, reduce, static, modes, campbell, "
                 "critical, performance, linearize, wind, schema, study, import, export, fmu, "
-                "compare, predict, trace or reproduce (see spoke --help)");
+                "compare, trace or reproduce (see spoke --help)");
   check_refused({"rnu", scenario},
                 "spoke: unknown command \"rnu\", expected run, check, reduce, static, modes, "
                 "campbell, critical, performance, linearize, wind, schema, "
                 "study, import, export, fmu, "
-                "compare, predict, trace or reproduce");
+                "compare, trace or reproduce");
   check_refused({"--quiet"}, "spoke: unknown command \"--quiet\"");
   check_refused({""}, "spoke: unknown command \"\"");
   check_refused({"run"}, "spoke run: SCENARIO is required (see spoke run --help)");
@@ -47,9 +47,12 @@ TEST_CASE("a bad command line is refused in one line and nothing is written") {
   for (const std::string window : {"0", "-1", "1001", "ten", "2.5", "99999999999"})
     check_refused({"run", scenario, "--window", window},
                   "--window: Value " + window + " not in range");
-  for (const std::string latency : {"nan", "-1", "inf", "2", "1e400", "5us", ""})
-    check_refused({"predict", scenario, "--ranks", "2", "--latency", latency},
-                  "--latency: expected a number from 0 to 1 [s], got " + latency);
+  for (const std::string threads : {"0", "x", "1,,2", "1,", "", "5000", "3x2"})
+    check_refused({"trace", scenario, "--more-threads", threads},
+                  "--more-threads: expected numbers from 1 to 1024, separated by commas, got \"");
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"predict"}, {"predict", scenario, "--threads", "1,2"}})
+    check_refused(words, "spoke predict: is the section \"More threads\" of spoke trace now");
   check_refused({"run", scenario, "--window"}, "--window: 1 required STEPS");
   check_refused({"run", scenario, "--out"}, "--out: 1 required DIR missing");
   check_refused({"run", scenario, "--set"}, "--set: 1 required KEY=VALUE missing");
@@ -58,7 +61,7 @@ TEST_CASE("a bad command line is refused in one line and nothing is written") {
 TEST_CASE("an empty name of a folder or file is refused, as of a variable that is not set") {
   const std::string scenario = shipped("wu_haug_rotor");
   const std::string out = "--out: expected the name of a folder, got an empty one (see spoke ";
-  for (const std::string command : {"run", "compare", "predict", "trace"}) {
+  for (const std::string command : {"run", "compare", "trace"}) {
     check_refused({command, scenario, "--out", ""}, out + command + " --help)");
     check_refused({command, scenario, "--out="}, "spoke " + command + ": ");
   }

@@ -30,8 +30,8 @@ TEST_CASE("--help names commands and exit statuses and examples") {
   const Ended ended = run_spoke({"--help"}, folder);
   CHECK(ended.status == 0);
   CHECK(ended.err.empty());
-  check_contains(ended.out, {"run", "check", "reduce", "compare", "predict", "trace", "reproduce",
-                             "--version", "Exit status:", "spoke run models/"});
+  check_contains(ended.out, {"run", "check", "reduce", "compare", "trace", "reproduce", "--version",
+                             "Exit status:", "spoke run models/"});
 }
 
 TEST_CASE("reduce --help names every option, and where results are kept") {
@@ -96,7 +96,7 @@ TEST_CASE("check --help names its options and output") {
 
 TEST_CASE("commands that write at their end promise no results of what was ended") {
   const WorkFolder folder;
-  for (const char* command : {"compare", "predict", "reproduce"}) {
+  for (const char* command : {"compare", "reproduce"}) {
     CAPTURE(command);
     const std::string help = run_spoke({command, "--help"}, folder).out;
     check_contains(help, {"Exit status:", "the simulation diverged; nothing is written"});
@@ -110,7 +110,6 @@ TEST_CASE("no line of help is wider than 100 columns") {
                                                     {"run", "--help"},
                                                     {"check", "--help"},
                                                     {"compare", "--help"},
-                                                    {"predict", "--help"},
                                                     {"trace", "--help"},
                                                     {"reproduce", "--help"}}) {
     for (const std::string& line : lines_of(run_spoke(arguments, folder).out)) {

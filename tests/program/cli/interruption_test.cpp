@@ -283,19 +283,17 @@ TEST_CASE("SIGHUP ends a run with its summary, as SIGTERM does") {
 }
 
 TEST_CASE("a signal to what measures leaves none of the folders that it made") {
-  for (const std::string command : {"compare", "predict"})
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-      CAPTURE(command);
-      const WorkFolder folder;
-      fs::create_directory(folder.path() / "before");
-      Child child({command, shipped("wu_haug_rotor"), "--threads", "1", "--out", "before/o/p/q"},
-                  folder);
-      REQUIRE(wait_until([&] { return fs::exists(folder.path() / "before/o/p/q"); }));
-      child.send(signal);
-      CHECK(child.wait().signal == signal);
-      CHECK(fs::exists(folder.path() / "before"));
-      CHECK_FALSE(fs::exists(folder.path() / "before/o"));
-    }
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const WorkFolder folder;
+    fs::create_directory(folder.path() / "before");
+    Child child({"compare", shipped("wu_haug_rotor"), "--threads", "1", "--out", "before/o/p/q"},
+                folder);
+    REQUIRE(wait_until([&] { return fs::exists(folder.path() / "before/o/p/q"); }));
+    child.send(signal);
+    CHECK(child.wait().signal == signal);
+    CHECK(fs::exists(folder.path() / "before"));
+    CHECK_FALSE(fs::exists(folder.path() / "before/o"));
+  }
 }
 
 TEST_CASE("who waits at a pipe is told") {

@@ -46,7 +46,7 @@ TEST_CASE("a folder that a run writes to is refused to others, until that ends o
   check_refused(with(short_run, {"p", "--trace", "o"}), message, folder);
   check_refused(with(short_run, {"t"}), "t: cannot be the folder of results: another", folder);
   check_refused(with(kLongRun, {"--resume", "o/checkpoint.spoke"}), message, folder);
-  for (const std::string command : {"trace", "compare", "predict"})
+  for (const std::string command : {"trace", "compare"})
     check_refused({command, shipped("wu_haug_rotor"), "--out", "o"}, message, folder);
   check_refused({"reproduce", "--out", "o"}, message, folder);
   CHECK(child.is_running());
@@ -114,7 +114,6 @@ TEST_CASE("a folder in the place of a file is refused before anything is measure
   refused({"campbell", rotor, "--speeds", "0:1:1"}, "campbell.html");
   refused({"linearize", rotor}, "linear.json");
   refused({"compare", rotor}, "compare.html");
-  refused({"predict", rotor}, "predict.csv");
   refused({"trace", rotor}, "graph.dot");
   refused({"run", rotor, "--trace", "o"}, "graph.dot");
   refused({"reproduce"}, "reproduce.json");

@@ -32,6 +32,13 @@ std::string hash_in(const fs::path& folder) {
   return json::parse(file_text(folder / "summary.json"))["state_hash"];
 }
 
+/// Returns what is printed of the steps themselves.
+std::string before_more_threads(const std::string& out) {
+  const std::size_t end = out.find("\nMore threads");
+  REQUIRE(end != std::string::npos);
+  return out.substr(0, end);
+}
+
 }  // namespace
 
 TEST_CASE("trace writes its files and prints a summary") {
@@ -57,6 +64,50 @@ TEST_CASE("trace writes its files and prints a summary") {
   CHECK(file_text(results / "graph.dot").starts_with("digraph"));
 }
 
+TEST_CASE("trace says what more threads would gain") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"trace", shipped("wu_haug_rotor"), "--executor", "flow_graph",
+                                 "--threads", "2", "--more-threads", "4,1,64,4", "--out", "o"},
+                                folder);
+  CHECK(ended.status == 0);
+  for (const char* part : {"More threads, in runs of one pass: T1 = ", "list schedule", "auto"}) {
+    CAPTURE(part);
+    CHECK(contains(ended.out, part));
+  }
+  const json more = trace_in(folder.path() / "o")["spoke"]["more_threads"];
+  const double bound = more["bound"];
+  CHECK(more["passes_per_run"] == 1);
+  CHECK(bound * more["span_s"].get<double>() == doctest::Approx(more["work_s"].get<double>()));
+  const json& rows = more["predictions"];
+  REQUIRE(rows.size() == 3);
+  CHECK(rows[0]["threads"] == 1);
+  CHECK(rows[0]["scheduled_s"].get<double>() == doctest::Approx(more["work_s"].get<double>()));
+  CHECK(rows[0]["auto_clusters"] == 1);
+  CHECK(rows[1]["threads"] == 4);
+  for (const json& row : rows) {
+    CHECK(row["scheduled_speedup"].get<double>() <= 1.000001 * bound);
+    CHECK(row["auto_speedup"].get<double>() <= 1.000001 * bound);
+  }
+}
+
+TEST_CASE("trace simulates more threads in the window that auto chooses") {
+  const WorkFolder folder;
+  const Ended automatic =
+      run_spoke({"trace", shipped("wu_haug_rotor"), "--threads", "2", "--out", "a"}, folder);
+  CHECK(automatic.status == 0);
+  const json more = trace_in(folder.path() / "a")["spoke"]["more_threads"];
+  const int steps = more["window_steps"];
+  CHECK(steps > 1);
+  CHECK(more["passes_per_run"].get<int>() >= steps);
+  CHECK(more["bound"].get<double>() > 2.0);  // three blades that need not wait
+  CHECK(contains(automatic.out, "More threads, in windows of " + std::to_string(steps) + " steps"));
+  CHECK(run_spoke(
+            {"run", shipped("wu_haug_rotor"), "--set", "integration.duration=0.1", "--trace", "r"},
+            folder)
+            .status == 0);
+  CHECK(trace_in(folder.path() / "r")["spoke"]["more_threads"].is_null());
+}
+
 TEST_CASE("trace of a window of steps, and of what auto has not chosen yet") {
   const WorkFolder folder;
   const Ended window = run_spoke({"trace", shipped("wu_haug_rotor"), "--executor", "flow_graph",
@@ -80,7 +131,7 @@ TEST_CASE("trace of a window of steps, and of what auto has not chosen yet") {
   CHECK(contains(soon.out, "auto has chosen nothing yet"));
   const Ended alone =
       run_spoke({"trace", shipped("wu_haug_rotor"), "--threads", "1", "--out", "one"}, folder);
-  CHECK_FALSE(contains(alone.out, "auto"));
+  CHECK_FALSE(contains(before_more_threads(alone.out), "auto"));
   CHECK(trace_in(folder.path() / "one")["spoke"]["notes"].empty());
 }
 
@@ -95,7 +146,7 @@ TEST_CASE("too few steps for a window are traced without, and what ran them is n
   CHECK(graph.status == 0);
   CHECK(contains(graph.out, "  flow_graph on 2 threads\n"));
   CHECK(contains(graph.out, remark));
-  CHECK_FALSE(contains(graph.out, "windows of 100"));
+  CHECK_FALSE(contains(before_more_threads(graph.out), "windows of 100"));
   const json described = trace_in(folder.path() / "g")["spoke"];
   CHECK(described["settings"]["description"] == "flow_graph on 2 threads");
   CHECK(described["settings"]["threads"] == "2");

@@ -36,10 +36,15 @@ Scenario make_scenario(bool is_coupled) {
 
 }  // namespace
 
-Trace make_trace(const Sample& sample) {
+Simulation make_simulation(const Sample& sample) {
   Simulation simulation(make_scenario(sample.is_coupled),
                         {sample.formulation, sample.executor, sample.threads, sample.window});
   simulation.run_until(20 * simulation.step_size());
+  return simulation;
+}
+
+Trace make_trace(const Sample& sample) {
+  Simulation simulation = make_simulation(sample);
   StepTrace steps = simulation.trace(10);
   return describe(simulation, std::move(steps));
 }

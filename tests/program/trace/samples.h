@@ -13,6 +13,9 @@ struct Sample {
   Formulation formulation = Formulation::structured;
 };
 
+/// Makes a simulation that has made 20 steps.
+Simulation make_simulation(const Sample& sample);
+
 /// Makes a trace of ten steps, the first of them number 21.
 Trace make_trace(const Sample& sample);
 

@@ -159,6 +159,18 @@ TEST_CASE("a window of 1 is a graph of one pass, also where steps take many") {
   CHECK(simulation.run_graph().node_count() == simulation.step_graph().node_count());
 }
 
+TEST_CASE("where no step is left there is no window to open") {
+  Scenario scenario = spin_up_scenario(wu_haug_blade(2, 3), 0.005);
+  scenario.integration.duration = 0.02;
+  for (const double time : {0.0, 0.02}) {
+    Simulation simulation(scenario, {.executor = ExecutorKind::automatic, .threads = 2});
+    simulation.run_until(time);
+    CHECK(open_window(simulation) == 1);
+    CHECK(simulation.steps() == simulation.planned_steps());
+    CHECK(&simulation.run_graph() == &simulation.step_graph());
+  }
+}
+
 TEST_CASE("who chooses no window opens none") {
   const Scenario scenario = spin_up_scenario(wu_haug_blade(2, 3), 0.005);
   for (const SimulationOptions& options :
