@@ -67,9 +67,6 @@ else()
   string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
     ", libspdlog-dev, libtbb-dev (>= 2021), libtomlplusplus-dev, zlib1g-dev")
 endif()
-if(hdf5_FOUND)  # loaded when a study is written
-  set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS libhdf5-103-1)
-endif()
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS "g++, pkg-config")
 
 # Of the interpreter's versions the one that it was built for, as the module's name says.

@@ -2,6 +2,7 @@
 
 #include "program/study/hdf5_file.h"
 
+#include <hdf5.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,17 +15,12 @@
 #include "engine/output_file.h"
 #include "models/error.h"
 #include "models/file_watch.h"
-#include "program/study/hdf5_library.h"
 
 namespace spoke::study {
 namespace {
 
 constexpr hsize_t kBlock = 65536;  // numbers that are written together
-constexpr unsigned kTruncate = 2;  // the value of H5F_ACC_TRUNC, whose macro calls the library
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-/// Returns the library. Precondition: has_hdf5().
-const Hdf5Library& h5() { return *find_hdf5(); }
 
 /// The failure of a call of the library.
 struct Hdf5Failure {};
@@ -57,32 +53,30 @@ void require(herr_t status) {
 
 /// Makes properties of objects without creation times, so that equal studies have equal bytes.
 Handle timeless(hid_t kind) {
-  Handle properties(h5().H5Pcreate(kind), h5().H5Pclose);
-  require(h5().H5Pset_obj_track_times(properties.id(), false));
+  Handle properties(H5Pcreate(kind), H5Pclose);
+  require(H5Pset_obj_track_times(properties.id(), false));
   return properties;
 }
 
 Handle make_group(hid_t parent, const std::string& name) {
-  const Handle properties = timeless(h5().group_create);
-  return {h5().H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
-          h5().H5Gclose};
+  const Handle properties = timeless(H5P_GROUP_CREATE);
+  return {H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, properties.id(), H5P_DEFAULT), H5Gclose};
 }
 
 Handle text_type(std::size_t size) {
-  Handle type(h5().H5Tcopy(h5().text), h5().H5Tclose);
-  require(h5().H5Tset_size(type.id(), std::max<std::size_t>(size, 1)));
-  require(h5().H5Tset_cset(type.id(), H5T_CSET_UTF8));
+  Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  require(H5Tset_size(type.id(), std::max<std::size_t>(size, 1)));
+  require(H5Tset_cset(type.id(), H5T_CSET_UTF8));
   return type;
 }
 
 void add_attribute(hid_t object, const char* name, const std::string& text) {
   const Handle type = text_type(text.size());
-  const Handle space(h5().H5Screate(H5S_SCALAR), h5().H5Sclose);
-  const Handle attribute(
-      h5().H5Acreate2(object, name, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
-      h5().H5Aclose);
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Handle attribute(H5Acreate2(object, name, type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
+                         H5Aclose);
   const std::string bytes = text.empty() ? std::string(1, '\0') : text;
-  require(h5().H5Awrite(attribute.id(), type.id(), bytes.data()));
+  require(H5Awrite(attribute.id(), type.id(), bytes.data()));
 }
 
 /// A data set of rows of one width that are written one after the other. Rows left out, and the
@@ -101,12 +95,12 @@ class Rows {
   void flush() {
     if (waiting_.empty()) return;
     const std::array<hsize_t, 2> start = {written_, 0}, count = {waiting_.size() / width_, width_};
-    const Handle memory(h5().H5Screate_simple(2, count.data(), nullptr), h5().H5Sclose);
-    const Handle file(h5().H5Dget_space(dataset_.id()), h5().H5Sclose);
-    require(h5().H5Sselect_hyperslab(file.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(),
-                                     nullptr));
-    require(h5().H5Dwrite(dataset_.id(), h5().native_double, memory.id(), file.id(), H5P_DEFAULT,
-                          waiting_.data()));
+    const Handle memory(H5Screate_simple(2, count.data(), nullptr), H5Sclose);
+    const Handle file(H5Dget_space(dataset_.id()), H5Sclose);
+    require(H5Sselect_hyperslab(file.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(),
+                                nullptr));
+    require(H5Dwrite(dataset_.id(), H5T_NATIVE_DOUBLE, memory.id(), file.id(), H5P_DEFAULT,
+                     waiting_.data()));
     written_ += count[0];
     waiting_.clear();
   }
@@ -114,11 +108,11 @@ class Rows {
  private:
   static Handle make(hid_t parent, const std::string& name, hsize_t rows, hsize_t width) {
     const std::array<hsize_t, 2> size = {rows, width};
-    const Handle space(h5().H5Screate_simple(2, size.data(), nullptr), h5().H5Sclose);
-    const Handle properties = timeless(h5().dataset_create);
-    return {h5().H5Dcreate2(parent, name.c_str(), h5().stored_double, space.id(), H5P_DEFAULT,
-                            properties.id(), H5P_DEFAULT),
-            h5().H5Dclose};
+    const Handle space(H5Screate_simple(2, size.data(), nullptr), H5Sclose);
+    const Handle properties = timeless(H5P_DATASET_CREATE);
+    return {H5Dcreate2(parent, name.c_str(), H5T_IEEE_F64LE, space.id(), H5P_DEFAULT,
+                       properties.id(), H5P_DEFAULT),
+            H5Dclose};
   }
 
   Handle dataset_;
@@ -206,9 +200,8 @@ void write_histories(hid_t file, const Study& study, const ForEachRun& for_each)
 
 void write_new(const std::string& file, const Study& study, const Sampling& sampling,
                const ForEachRun& for_each) {
-  const Handle properties = timeless(h5().file_create);
-  Handle output(h5().H5Fcreate(file.c_str(), kTruncate, properties.id(), H5P_DEFAULT),
-                h5().H5Fclose);
+  const Handle properties = timeless(H5P_FILE_CREATE);
+  Handle output(H5Fcreate(file.c_str(), H5F_ACC_TRUNC, properties.id(), H5P_DEFAULT), H5Fclose);
   add_attribute(output.id(), "title", study.title);
   add_attribute(output.id(), "scenario", study.scenario_file);
   write_runs(output.id(), study, sampling, for_each);
@@ -218,11 +211,11 @@ void write_new(const std::string& file, const Study& study, const Sampling& samp
 
 }  // namespace
 
-bool has_hdf5() { return find_hdf5() != nullptr; }
+bool has_hdf5() { return true; }
 
 void write_hdf5(const std::string& file, const Study& study, const Sampling& sampling,
                 const ForEachRun& for_each) {
-  h5().H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // silent, since faults are reported here
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // silent, since faults are reported here
   const std::string temporary = file + ".tmp";
   announce_replacing(file);
   announce_replacing(temporary);

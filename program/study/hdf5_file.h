@@ -8,7 +8,7 @@
 
 namespace spoke::study {
 
-/// Returns whether this program can write HDF5 files: it was built to, and finds the library.
+/// Returns whether this program was built to write HDF5 files.
 bool has_hdf5();
 
 /// Writes the file as a whole, in place of an existing one. Layout: docs/studies.md. Memory does
