@@ -1,8 +1,7 @@
 // What do two threads gain on rotors, by executor? Whole time steps of real models through
 // Simulation::run_until, without an observer, as a user's run makes them: generalized_alpha, its
-// iterations, and windows of steps where the executor uses them. Graphs of equal busy nodes
-// (step_graphs) show what an executor can do; only here do costs of nodes, memory and the choices
-// that "auto" makes from its own timings meet.
+// iterations, and windows of steps where the executor uses them. Here costs of nodes, memory and
+// the choices that "auto" makes from its own timings meet.
 //
 // Each executor has one simulation of the model. The planned duration is beyond reach, so that
 // "auto" finds planning worth while and steps never run out. All are brought to the same step

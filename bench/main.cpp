@@ -23,37 +23,28 @@ struct Question {
   bool only_if_named = false;  ///< takes long
 };
 
+/// What formulations cost, and what executors gain on the same rotors.
+void measure_methods(const QuestionOptions& options, Report& report) {
+  measure_formulations(options, report);
+  measure_executors(options, report);
+}
+
 constexpr std::array kQuestions{
-    Question{"formulations", "what one evaluation of the accelerations costs",
-             measure_formulations},
-    Question{"spatial_evaluations", "what one evaluation costs in space, against the plane",
-             measure_spatial_evaluations},
-    Question{"whole_steps", "what a step costs beside the evaluations it contains",
-             measure_whole_steps},
+    Question{"formulations_executors",
+             "what an evaluation costs by formulation, and a step on two threads by executor",
+             measure_methods},
+    Question{"models", "what a step of every shipped model takes, and what auto gains there",
+             measure_models},
     Question{"time_to_solution", "how long the 20 s spin-up takes at 0.1 % accuracy",
              measure_time_to_solution},
-    Question{"loops", "what closed loops cost, by mechanism and number of suspensions",
-             measure_loops},
     Question{"growth",
              "how costs grow with size: of loops, chains, rotors and nodal solids, starts, memory",
              measure_growth},
     Question{"peers", "how long problems take that other programs were timed on, by error",
              measure_peers},
-    Question{"solids", "what solids cost, and what threads gain on one of them", measure_solids},
-    Question{"strains", "what strains of second order cost beside linear ones", measure_strains},
-    Question{"supports", "what a support costs beside its rotor, and what threads gain there",
-             measure_supports},
-    Question{"air", "what air costs beside the structure of its blades", measure_air},
-    Question{"passes", "how many passes a step needs, at the steps that accuracy allows",
-             measure_passes, true},
-    Question{"step_graphs", "what two threads gain on graphs shaped like a step",
-             measure_step_graphs},
-    Question{"executors", "what two threads gain on rotors, by executor", measure_executors},
-    Question{"tracing", "what recording nodes costs, switched off and on", measure_tracing},
     Question{"start_up", "what the program takes beyond its integration", measure_start_up},
-    Question{"study", "how many runs a second a study makes", measure_study},
-    Question{"whole_runs", "what auto gains or costs on whole runs of the program, in half an hour",
-             measure_whole_runs, true}};
+    Question{"passes", "how many passes a step needs, at the steps that accuracy allows",
+             measure_passes, true}};
 
 struct Arguments {
   std::string filter;
@@ -73,9 +64,9 @@ std::vector<Question> chosen_questions(const std::string& filter) {
 std::string help_footer() {
   std::string text = "Questions:\n";
   for (const Question& question : kQuestions)
-    text += fmt::format("  {:<20}{}\n", question.name, question.text);
+    text += fmt::format("  {:<24}{}\n", question.name, question.text);
   return text +
-         "\nA whole run takes four to eight minutes, on up to two threads; leave the machine alone "
+         "\nA whole run takes some minutes, on up to two threads; leave the machine alone "
          "meanwhile.\n\nExit status: 0 done, whether targets were reached or missed; 1 the "
          "alternatives disagree;\n2 bad command line\n";
 }

@@ -3,7 +3,6 @@
 // The paper's rotor in any size, the model of most benchmarks.
 
 #include <string>
-#include <vector>
 
 #include "models/scenario.h"
 
@@ -20,9 +19,8 @@ struct RotorSize {
   std::string name() const;
 };
 
-/// Reads a rotor of models/ in another size, with further assignments to its keys.
-Scenario sized_rotor(const std::string& file, const RotorSize& size, bool stiffening,
-                     std::vector<std::string> assignments = {});
+/// Reads a rotor of models/ in another size.
+Scenario sized_rotor(const std::string& file, const RotorSize& size, bool stiffening);
 /// Reads the paper's rotor (models/paper_rotor.toml) in another size.
 Scenario paper_rotor(const RotorSize& size, bool stiffening = false);
 

@@ -1,14 +1,12 @@
-// Starts processes and takes their wall times, and keeps a processor busy beside them.
+// Starts processes and takes their wall times.
 
 #include "bench/whole_processes.h"
 
 #include <fcntl.h>
-#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <chrono>
 #include <stdexcept>
 
@@ -42,19 +40,6 @@ double seconds_of_process(const std::vector<std::string>& arguments) {
   if (problem != 0 || waitpid(process, &status, 0) != process || status != 0)
     throw std::runtime_error(std::string(SPOKE_PROGRAM_FILE) + " could not be run, or failed");
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
-BusyProcess::BusyProcess() : process_(fork()) {
-  if (process_ < 0) throw std::runtime_error("no process can be made");
-  if (process_ > 0) return;
-  alarm(3600);  // in case this process is killed
-  std::atomic<unsigned> count = 0;
-  while (true) count.fetch_add(1, std::memory_order_relaxed);
-}
-
-BusyProcess::~BusyProcess() {
-  kill(process_, SIGKILL);
-  waitpid(process_, nullptr, 0);
 }
 
 }  // namespace spoke::bench

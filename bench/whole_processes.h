@@ -5,24 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "bench/compare/interleaved.h"
-
 namespace spoke::bench {
 
 /// Runs the program with these arguments, and discards its output. Returns the wall time from start
 /// to end [s]. Throws std::runtime_error if it cannot be started or fails.
 double seconds_of_process(const std::vector<std::string>& arguments);
-
-/// While it lives, a process of its own keeps one processor busy.
-class BusyProcess {
- public:
-  BusyProcess();
-  ~BusyProcess();
-  BusyProcess(const BusyProcess&) = delete;
-  BusyProcess& operator=(const BusyProcess&) = delete;
-
- private:
-  int process_ = -1;
-};
 
 }  // namespace spoke::bench
