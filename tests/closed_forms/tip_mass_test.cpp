@@ -19,6 +19,7 @@
 #include "tests/engine/lagrangian.h"
 #include "tests/engine/rotors.h"
 #include "tests/message_of.h"
+#include "tests/relative_difference.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -65,10 +66,6 @@ Rotor rotor_with_masses(HubSupport support) {
   rotor.hub.drive = TorqueDrive{Curve(2.0), 1.5};
   rotor.gravity = Position{0.7, -9.81};
   return rotor;
-}
-
-double relative_difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-  return (a - b).lpNorm<Eigen::Infinity>() / b.lpNorm<Eigen::Infinity>();
 }
 
 }  // namespace

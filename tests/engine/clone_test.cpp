@@ -21,6 +21,7 @@
 #include "tests/engine/bodies/space/system/models.h"
 #include "tests/engine/load_rotors.h"
 #include "tests/message_of.h"
+#include "tests/shipped.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -42,7 +43,7 @@ Scenario read_short(const ShippedModel& shipped) {
   std::vector<std::string> changes = shipped.changes;
   changes.push_back("integration.step=" + std::to_string(shipped.step));
   changes.push_back("integration.duration=" + std::to_string(kSteps * shipped.step));
-  return read_scenario(std::string(SPOKE_MODELS_DIR) + "/" + shipped.name + ".toml", changes);
+  return read_shipped(shipped.name, changes);
 }
 
 /// All that a simulation shows from where it stands to its end.

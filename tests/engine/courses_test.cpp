@@ -13,6 +13,7 @@
 #include "tests/contains.h"
 #include "tests/engine/bodies/space/system/models.h"
 #include "tests/message_of.h"
+#include "tests/shown_values.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -86,11 +87,6 @@ joint = [{ parent = "ground", child = "mast", kind = "revolute", axis = [1.0, 0.
 )";
 
 std::string half_at_once() { return "time = [0.0, 1.0]\nfactor = [0.5, 0.5]\n"; }
-
-std::vector<double> values_of(const Simulation& simulation) {
-  const auto values = simulation.sensor_values();
-  return {values.begin(), values.end()};
-}
 
 Simulation make(const std::string& text, const Overrides& overrides = {}) {
   return Simulation(parse_scenario(text, "courses.toml", overrides), kSerial);

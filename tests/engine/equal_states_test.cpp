@@ -18,6 +18,7 @@
 #include "engine/step/step_graph_builder.h"
 #include "graph/execute/executor_kinds.h"
 #include "graph/tune/plan_candidates.h"
+#include "tests/shipped.h"
 
 using namespace spoke;
 
@@ -29,8 +30,8 @@ enum class HubDrive { motion, torque };
 
 /// The paper's rotor; gravity, so that no two of its equal blades move alike.
 Scenario make_scenario(HubDrive drive, int bodies = 4, int elements = 4) {
-  Scenario scenario = read_scenario(
-      SPOKE_MODELS_DIR "/wu_haug_rotor.toml",
+  Scenario scenario = test::read_shipped(
+      "wu_haug_rotor",
       {"blade.bodies=" + std::to_string(bodies), "blade.elements=" + std::to_string(elements)});
   scenario.rotor.gravity = Position{0.0, -0.5};
   if (drive == HubDrive::torque) scenario.rotor.hub.drive = TorqueDrive{Curve(20.0), 0.5};

@@ -26,6 +26,7 @@
 #include "tests/engine/rotors.h"
 #include "tests/engine/solids/solid_models.h"
 #include "tests/models/space/random_space.h"
+#include "tests/shipped.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -176,8 +177,8 @@ TEST_CASE("a step of a rotor on a support allocates nothing, whatever the formul
 TEST_CASE("a step that makes the tension of rotation anew allocates nothing") {
   // The run goes through several of 32 speeds an octave, without a warning, which would be
   // allocated.
-  const Scenario scenario = read_scenario(
-      std::string(SPOKE_MODELS_DIR) + "/articulated_rotor.toml",
+  const Scenario scenario = read_shipped(
+      "articulated_rotor",
       {"hub.drive={kind=\"torque\", torque=40000, initial_speed=34}", "initial.state=equilibrium",
        "gravity.ramp=0", "distributed_load.1.factor=[1,1]"});
   Simulation simulation(scenario, {Formulation::structured, ExecutorKind::serial, 1});
@@ -418,7 +419,7 @@ TEST_CASE("the memory of a model is known to a quarter before it is allocated") 
     }
   for (std::vector<std::string> size : {many, fine}) {
     size.push_back("blade.strain=nonlinear");
-    CHECK(relative_estimate(read_scenario(SPOKE_MODELS_DIR "/wu_haug_rotor.toml", size)) ==
+    CHECK(relative_estimate(read_shipped("wu_haug_rotor", size)) ==
           doctest::Approx(1.0).epsilon(0.25));
   }
   for (const Formulation formulation : formulations()) {

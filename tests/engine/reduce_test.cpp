@@ -16,6 +16,7 @@
 #include "tests/contains.h"
 #include "tests/engine/solids/solid_models.h"
 #include "tests/message_of.h"
+#include "tests/shipped.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -166,6 +167,6 @@ TEST_CASE("linear elements are told, and a model without solids has nothing to r
   grid.kind = spatial::ElementKind::hex8;
   const spatial::SolidBody body = make_bar(grid, rubber());
   CHECK(reduce(make_pair(body, body))[0].has_locking_elements);
-  CHECK(reduce(read_scenario(SPOKE_MODELS_DIR "/heavy_top.toml")).empty());
-  CHECK(reduce(read_scenario(SPOKE_MODELS_DIR "/wu_haug_rotor.toml")).empty());
+  CHECK(reduce(read_shipped("heavy_top")).empty());
+  CHECK(reduce(read_shipped("wu_haug_rotor")).empty());
 }

@@ -10,10 +10,9 @@
 #include "engine/simulation.h"
 #include "models/space/rotation_vector.h"
 #include "models/tree/tree.h"
-#include "tests/engine/bodies/space/system/models.h"
-#include "tests/engine/output/scene/shipped.h"
 #include "tests/engine/serial.h"
 #include "tests/message_of.h"
+#include "tests/shipped.h"
 
 using namespace spoke;
 using namespace spoke::test;

@@ -2,8 +2,6 @@
 // one line; what is read has coefficients everywhere.
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 
@@ -11,18 +9,10 @@
 #include "models/air/airfoil_reader.h"
 #include "models/air/section_polar.h"
 #include "models/error.h"
+#include "tests/fuzz/require.h"
 
 using namespace spoke;
-
-namespace {
-
-void require(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "does not hold: %s\n", what);
-  std::abort();
-}
-
-}  // namespace
+using test::require;
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);

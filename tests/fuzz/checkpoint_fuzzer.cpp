@@ -4,27 +4,21 @@
 
 #include <zlib.h>
 
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 
 #include "engine/checkpoint.h"
 #include "engine/support/byte_order.h"
 #include "models/error.h"
+#include "tests/fuzz/require.h"
 
 using namespace spoke;
+using test::require;
 
 namespace {
 
 constexpr std::size_t kMagicAndFormat = 8 + 4;
 constexpr std::size_t kHeader = kMagicAndFormat + 8;
 constexpr std::size_t kChecksum = 4;
-
-void require(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "does not hold: %s\n", what);
-  std::abort();
-}
 
 std::string with_valid_frame(const std::string& bytes) {
   ByteWriter length;

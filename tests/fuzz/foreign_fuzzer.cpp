@@ -3,8 +3,6 @@
 // the files, the first of which is imported, with others whose names begin with "+".
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <map>
 #include <string>
 #include <vector>
@@ -14,16 +12,12 @@
 #include "program/foreign/import_files.h"
 #include "program/foreign/input_lines.h"
 #include "spoke/error.h"
+#include "tests/fuzz/require.h"
 
 using namespace spoke;
+using test::require;
 
 namespace {
-
-void require(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "does not hold: %s\n", what);
-  std::abort();
-}
 
 /// Returns the files in order.
 std::vector<foreign::SourceFile> split(const std::string& text) {

@@ -5,24 +5,18 @@
 #include <unistd.h>
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
 
 #include "models/solid/import.h"
 #include "spoke/error.h"
+#include "tests/fuzz/require.h"
 
 using namespace spoke;
+using test::require;
 
 namespace {
-
-void require(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "does not hold: %s\n", what);
-  std::abort();
-}
 
 const std::filesystem::path& folder() {
   static const std::filesystem::path path = [] {

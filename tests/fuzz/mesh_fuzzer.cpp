@@ -1,7 +1,5 @@
 // libFuzzer: any bytes are a mesh of gmsh or Abaqus, or refused by InputError with one line.
 
-#include <cstdio>
-#include <cstdlib>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,18 +8,10 @@
 #include "models/solid/mesh_check.h"
 #include "models/solid/parse_mesh.h"
 #include "models/solid/surface.h"
+#include "tests/fuzz/require.h"
 
 using namespace spoke;
-
-namespace {
-
-void require(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "does not hold: %s\n", what);
-  std::abort();
-}
-
-}  // namespace
+using test::require;
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);

@@ -2,23 +2,17 @@
 // "#set " in lines of the text are overrides of keys.
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <sstream>
 #include <string>
 
 #include "models/error.h"
 #include "models/scenario.h"
+#include "tests/fuzz/require.h"
 
 using namespace spoke;
+using test::require;
 
 namespace {
-
-void require(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "does not hold: %s\n", what);
-  std::abort();
-}
 
 Overrides find_overrides(const std::string& text) {
   Overrides overrides;

@@ -2,8 +2,6 @@
 // line. What is read blows everywhere and always, and is read again as it is written.
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -13,16 +11,12 @@
 #include "models/air/wind_field.h"
 #include "models/air/wind_table.h"
 #include "models/error.h"
+#include "tests/fuzz/require.h"
 
 using namespace spoke;
+using test::require;
 
 namespace {
-
-void require(bool holds, const char* what) {
-  if (holds) return;
-  std::fprintf(stderr, "does not hold: %s\n", what);
-  std::abort();
-}
 
 template <class Function>
 void try_reading(const Function& read) {

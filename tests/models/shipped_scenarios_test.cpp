@@ -7,16 +7,13 @@
 
 #include "models/scenario.h"
 #include "tests/file_text.h"
+#include "tests/shipped.h"
 
 using doctest::Approx;
 using namespace spoke;
 using test::file_text;
 
 namespace {
-
-Scenario shipped(const std::string& name) {
-  return read_scenario(std::filesystem::path(SPOKE_MODELS_DIR) / (name + ".toml"));
-}
 
 /// Checks that the documentation names every key of `json`: a value as `key`, a table as [key].
 void check_documented(const nlohmann::json& json, const std::string& documentation) {
@@ -37,7 +34,7 @@ void check_documented(const nlohmann::json& json, const std::string& documentati
 }  // namespace
 
 TEST_CASE("the Wu and Haug rotor has the values of its source") {
-  const Scenario scenario = shipped("wu_haug_rotor");
+  const Scenario scenario = test::read_shipped("wu_haug_rotor");
   CHECK(scenario.title == "Wu & Haug 1988 rotor, spin-up to 4 rad/s");
   CHECK(scenario.name == "wu_haug_rotor");
   REQUIRE(scenario.rotor.blades.size() == 3);
@@ -58,14 +55,14 @@ TEST_CASE("the Wu and Haug rotor has the values of its source") {
 }
 
 TEST_CASE("the paper's rotor is the same without stiffening") {
-  const Scenario scenario = shipped("paper_rotor");
+  const Scenario scenario = test::read_shipped("paper_rotor");
   CHECK_FALSE(scenario.rotor.blades[0].geometric_stiffening);
   CHECK(scenario.rotor.blades[0].reference_frame == ReferenceFrame::clamped);
   CHECK(scenario.integration.duration == 20.0);
 }
 
 TEST_CASE("the spin-up hold spin-down cycle rests after 35 of 40 s") {
-  const Scenario scenario = shipped("spin_up_hold_spin_down");
+  const Scenario scenario = test::read_shipped("spin_up_hold_spin_down");
   const Drive& drive = scenario.rotor.hub.drive;
   CHECK(calc_motion(drive, 15.0).speed == Approx(4.0));
   CHECK(calc_motion(drive, 20.0).speed == Approx(4.0));
@@ -74,7 +71,7 @@ TEST_CASE("the spin-up hold spin-down cycle rests after 35 of 40 s") {
 }
 
 TEST_CASE("the beam of Simo and Vu-Quoc has the stiffness and mass of its source") {
-  const Scenario scenario = shipped("simo_vu_quoc_beam");
+  const Scenario scenario = test::read_shipped("simo_vu_quoc_beam");
   REQUIRE(scenario.rotor.blades.size() == 1);
   const Blade& blade = scenario.rotor.blades[0];
   CHECK(blade.length == 10.0);
@@ -85,7 +82,7 @@ TEST_CASE("the beam of Simo and Vu-Quoc has the stiffness and mass of its source
 }
 
 TEST_CASE("the satellite's torque has no net impulse and its booms are opposite") {
-  const Scenario scenario = shipped("free_hub_satellite");
+  const Scenario scenario = test::read_shipped("free_hub_satellite");
   CHECK(scenario.rotor.hub.support == HubSupport::free);
   const Curve& torque = std::get<TorqueDrive>(scenario.rotor.hub.drive).torque;
   CHECK(torque.integral(12.0) > 50.0);
@@ -97,7 +94,7 @@ TEST_CASE("the satellite's torque has no net impulse and its booms are opposite"
 }
 
 TEST_CASE("the large rotor has 24 blades of 8 by 8 elements") {
-  const Scenario scenario = shipped("large_rotor");
+  const Scenario scenario = test::read_shipped("large_rotor");
   REQUIRE(scenario.rotor.blades.size() == 24);
   CHECK(scenario.rotor.blades[23].bodies == 8);
   CHECK(scenario.rotor.blades[23].elements == 8);
@@ -120,6 +117,6 @@ TEST_CASE("every shipped scenario says what it is and where it comes from") {
 TEST_CASE("every key of a scenario is documented") {
   const std::string documentation = file_text(SPOKE_DOCS_DIR "/scenario.md");
   for (const char* name : {"wu_haug_rotor", "spin_up_hold_spin_down", "free_hub_satellite"}) {
-    check_documented(nlohmann::json::parse(shipped(name).to_json()), documentation);
+    check_documented(nlohmann::json::parse(test::read_shipped(name).to_json()), documentation);
   }
 }

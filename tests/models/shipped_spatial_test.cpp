@@ -3,7 +3,6 @@
 
 #include <doctest/doctest.h>
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -11,6 +10,7 @@
 #include "models/tree/tree.h"
 #include "tests/file_text.h"
 #include "tests/models/inline_toml.h"
+#include "tests/shipped.h"
 
 using doctest::Approx;
 using namespace spoke;
@@ -26,10 +26,6 @@ const char* const kNames[] = {
     "helicopter_rotor",  "nrel_5mw_rotor",    "nrel_5mw_turbine", "satellite_booms",
     "solid_blade_rotor", "solid_bracket",     "spatial_wu_haug",  "tree_of_bodies",
     "vehicle",           "whirl_rotor",       "wu_haug_solid"};
-
-Scenario shipped_in_space(const std::string& name) {
-  return read_scenario(std::filesystem::path(SPOKE_MODELS_DIR) / (name + ".toml"));
-}
 
 /// Checks the keys of all tables within.
 void check_documented(const Json& json, const std::string& documentation) {
@@ -58,7 +54,7 @@ spatial::MassProperties blade_of(const Scenario& scenario) {
 TEST_CASE("what a scenario in space says, written and read again, is the same") {
   for (const char* name : kNames) {
     CAPTURE(name);
-    const Scenario scenario = shipped_in_space(name);
+    const Scenario scenario = test::read_shipped(name);
     REQUIRE(scenario.space.has_value());
     const std::string json = scenario.to_json();
     CHECK(parse_scenario(document_of(json), scenario.name).to_json() == json);
@@ -68,11 +64,11 @@ TEST_CASE("what a scenario in space says, written and read again, is the same") 
 TEST_CASE("every key of a scenario in space is documented") {
   const std::string documentation = file_text(SPOKE_DOCS_DIR "/scenario.md");
   for (const char* name : kNames)
-    check_documented(Json::parse(shipped_in_space(name).to_json()), documentation);
+    check_documented(Json::parse(test::read_shipped(name).to_json()), documentation);
 }
 
 TEST_CASE("the NREL blade has the published mass and moments") {
-  const spatial::MassProperties blade = blade_of(shipped_in_space("nrel_5mw_rotor"));
+  const spatial::MassProperties blade = blade_of(test::read_shipped("nrel_5mw_rotor"));
   // NREL/TP-500-38060, table 2-2.
   CHECK(blade.mass == Approx(17740.0).epsilon(0.003));
   CHECK(blade.first_moment.x() == Approx(363231.0).epsilon(0.003));
@@ -81,7 +77,7 @@ TEST_CASE("the NREL blade has the published mass and moments") {
 }
 
 TEST_CASE("the NREL rotor's axis points downwind and down by 5 degrees") {
-  const spatial::Model model = *shipped_in_space("nrel_5mw_rotor").space;
+  const spatial::Model model = *test::read_shipped("nrel_5mw_rotor").space;
   CHECK(model.hub.axis.norm() == Approx(1.0).epsilon(1e-8));
   CHECK(std::atan2(-model.hub.axis.z(), model.hub.axis.x()) * 180.0 / 3.14159265358979 ==
         Approx(5.0));
@@ -89,8 +85,8 @@ TEST_CASE("the NREL rotor's axis points downwind and down by 5 degrees") {
 }
 
 TEST_CASE("the rotor of Wu and Haug in space has the mass and stiffness of the planar one") {
-  const Scenario space = shipped_in_space("spatial_wu_haug"),
-                 plane = shipped_in_space("wu_haug_rotor");
+  const Scenario space = test::read_shipped("spatial_wu_haug"),
+                 plane = test::read_shipped("wu_haug_rotor");
   const Blade& planar = plane.rotor.blades[0];
   const spatial::Beam& beam = space.space->blades[0].beam;
   CHECK(beam.sections.axial_stiffness[0] == Approx(planar.youngs_modulus * planar.area));
@@ -101,7 +97,7 @@ TEST_CASE("the rotor of Wu and Haug in space has the mass and stiffness of the p
 }
 
 TEST_CASE("the heavy top has the data of its source") {
-  const spatial::Model model = *shipped_in_space("heavy_top").space;
+  const spatial::Model model = *test::read_shipped("heavy_top").space;
   const auto& top = std::get<spatial::RigidBody>(model.subsystems[0].bodies[0].shape);
   CHECK(top.mass == 15.0);
   CHECK(top.center == spatial::Vector(0.0, 1.0, 0.0));
@@ -113,7 +109,7 @@ TEST_CASE("the heavy top has the data of its source") {
 }
 
 TEST_CASE("the satellite's torques have no net impulse") {
-  const spatial::Model model = *shipped_in_space("satellite_booms").space;
+  const spatial::Model model = *test::read_shipped("satellite_booms").space;
   REQUIRE(model.hub_loads.size() == 1);
   CHECK(model.hub_loads[0].factor.integral(12.0) > 5.0);
   CHECK(std::abs(model.hub_loads[0].factor.integral(24.0)) < 1e-12);
@@ -121,7 +117,7 @@ TEST_CASE("the satellite's torques have no net impulse") {
 }
 
 TEST_CASE("the branched appendage has children at a node within a beam, at its tip and on a body") {
-  const spatial::Tree tree = build_trees(*shipped_in_space("tree_of_bodies").space).front();
+  const spatial::Tree tree = build_trees(*test::read_shipped("tree_of_bodies").space).front();
   REQUIRE(tree.bodies.size() == 5);
   std::vector<int> children(tree.bodies.size(), 0);
   for (const spatial::TreeBody& body : tree.bodies)

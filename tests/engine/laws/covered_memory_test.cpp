@@ -15,8 +15,8 @@
 #include "engine/step/step_graph_builder.h"
 #include "models/system/spatial_system.h"
 #include "tests/engine/laws/zoo.h"
-#include "tests/engine/output/scene/shipped.h"
 #include "tests/engine/step/damaged_graph.h"
+#include "tests/shipped.h"
 
 using namespace spoke;
 using namespace spoke::test;

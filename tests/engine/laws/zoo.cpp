@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "tests/engine/output/scene/shipped.h"
+#include "tests/shipped.h"
 
 namespace spoke::test {
 namespace {

@@ -9,6 +9,7 @@
 #include "engine/step/step_graph_builder.h"
 #include "graph/executor.h"
 #include "tests/engine/bodies/space/system/runs.h"
+#include "tests/relative_difference.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -88,10 +89,6 @@ double find_exact(double inertia) {
          mass;
 }
 
-double relative(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-  return (a - b).lpNorm<Eigen::Infinity>() / b.lpNorm<Eigen::Infinity>();
-}
-
 }  // namespace
 
 TEST_CASE("arms of point masses in a loop start as Lagrange's equation says") {
@@ -115,9 +112,10 @@ TEST_CASE("the formulations agree however little bodies resist to spin, in loops
       CAPTURE(inertia);
       const std::string text = make(inertia);
       const Eigen::VectorXd structured = find_accelerations(text, Formulation::structured);
-      CHECK(relative(structured, find_accelerations(text, Formulation::augmented)) < 1e-10);
+      CHECK(relative_difference(structured, find_accelerations(text, Formulation::augmented)) <
+            1e-10);
       // It inverts the bodies' masses, and loses what they have more about their joints.
-      CHECK(relative(structured, find_accelerations(text, Formulation::subsystem)) <
+      CHECK(relative_difference(structured, find_accelerations(text, Formulation::subsystem)) <
             1e-10 + 1e-13 * kArm * kCentre * kCentre / inertia);
     }
 }

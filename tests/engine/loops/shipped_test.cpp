@@ -1,5 +1,7 @@
 // Shipped mechanisms as they are run: what their files say to compare them with.
 
+#include "tests/shipped.h"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -16,8 +18,7 @@ using namespace spoke;
 namespace {
 
 Simulation simulate(const std::string& name) {
-  return Simulation(read_scenario(std::string(SPOKE_MODELS_DIR) + "/" + name + ".toml"),
-                    {Formulation::structured, ExecutorKind::serial, 1});
+  return Simulation(test::read_shipped(name), {Formulation::structured, ExecutorKind::serial, 1});
 }
 
 }  // namespace

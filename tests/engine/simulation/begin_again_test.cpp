@@ -10,6 +10,7 @@
 #include "engine/simulation.h"
 #include "engine/simulation/simulation_core.h"
 #include "models/error.h"
+#include "tests/shipped.h"
 
 using namespace spoke;
 
@@ -50,7 +51,7 @@ Shown run(Simulation& simulation) {
 
 Scenario read(const std::string& file, Overrides overrides, const std::string& drive) {
   overrides.push_back(drive);
-  Scenario scenario = read_scenario(SPOKE_MODELS_DIR "/" + file + ".toml", overrides);
+  Scenario scenario = test::read_shipped(file, overrides);
   scenario.integration.duration = kSteps * scenario.integration.step;
   return scenario;
 }

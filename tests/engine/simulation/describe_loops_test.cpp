@@ -8,14 +8,14 @@
 #include <vector>
 
 #include "engine/simulation.h"
+#include "tests/shipped.h"
 
 using namespace spoke;
 
 namespace {
 
 LoopsAtStart start_of(const std::string& name, const std::vector<std::string>& assignments = {}) {
-  const Scenario scenario =
-      read_scenario(std::string(SPOKE_MODELS_DIR) + "/" + name + ".toml", assignments);
+  const Scenario scenario = test::read_shipped(name, assignments);
   return Simulation(scenario, {Formulation::structured, ExecutorKind::serial, 1}).loops_at_start();
 }
 

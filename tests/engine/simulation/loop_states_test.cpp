@@ -15,6 +15,7 @@
 #include "models/system/spatial_system.h"
 #include "tests/engine/loop_models.h"
 #include "tests/message_of.h"
+#include "tests/shown_values.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -54,11 +55,6 @@ Scenario make_blades(const std::string& hub, IntegrationMethod method) {
   return scenario;
 }
 
-std::vector<double> shown_by(const Simulation& simulation) {
-  const auto values = simulation.sensor_values();
-  return {values.begin(), values.end()};
-}
-
 template <class Check>
 void for_all_blades(Check&& check) {
   for (const std::string& hub : kHubs)
@@ -81,14 +77,14 @@ TEST_CASE("a run with loops goes on from a checkpoint with the bits of the whole
     Simulation whole(scenario, options);
     whole.run_until(0.1);
     const std::string checkpoint = make_checkpoint(whole.save());
-    const std::vector<double> shown = shown_by(whole);
+    const std::vector<double> shown = values_of(whole);
     whole.run_until(0.2);
     Simulation other(scenario, options);
     other.restore(parse_checkpoint(checkpoint, "test").state);
-    CHECK(shown_by(other) == shown);
+    CHECK(values_of(other) == shown);
     other.run_until(0.2);
     CHECK(other.state_hash() == whole.state_hash());
-    CHECK(shown_by(other) == shown_by(whole));
+    CHECK(values_of(other) == values_of(whole));
   });
 }
 
@@ -117,7 +113,7 @@ TEST_CASE("windows, threads and observers change no bits of a run with loops") {
       Simulation other(scenario, {formulation, kind, kind == ExecutorKind::serial ? 1 : 2, 7});
       other.run_until(0.2, [](double, std::span<const double>) {});
       CHECK(other.state_hash() == expected.state_hash());
-      CHECK(shown_by(other) == shown_by(expected));
+      CHECK(values_of(other) == values_of(expected));
     }
   });
 }

@@ -9,14 +9,11 @@
 #include "engine/simulation/momentum_sensors.h"
 #include "engine/simulation/observations.h"
 #include "tests/approx.h"
+#include "tests/shipped.h"
 
 using namespace spoke;
 
 namespace {
-
-Scenario read(const std::string& name) {
-  return read_scenario(std::string(SPOKE_MODELS_DIR) + "/" + name + ".toml");
-}
 
 bool has_residuals(const Scenario& scenario, const Loads& loads = {}) {
   const Simulation simulation(scenario, {Formulation::structured, ExecutorKind::serial, 1}, loads);
@@ -31,15 +28,15 @@ bool has_residuals(const Scenario& scenario, const Loads& loads = {}) {
 }  // namespace
 
 TEST_CASE("free models on which nothing acts have residuals of momentum") {
-  Scenario tree = read("tree_of_bodies");
+  Scenario tree = test::read_shipped("tree_of_bodies");
   CHECK(has_residuals(tree));
   tree.space->gravity = {0.0, 0.0, -9.81};
   CHECK_FALSE(has_residuals(tree));
-  tree = read("tree_of_bodies");
+  tree = test::read_shipped("tree_of_bodies");
   tree.space->hub_loads.emplace_back().force = {1.0, 0.0, 0.0};
   CHECK_FALSE(has_residuals(tree));
-  CHECK_FALSE(has_residuals(read("articulated_rotor")));
-  Scenario satellite = read("free_hub_satellite");
+  CHECK_FALSE(has_residuals(test::read_shipped("articulated_rotor")));
+  Scenario satellite = test::read_shipped("free_hub_satellite");
   satellite.rotor.loads.clear();
   satellite.rotor.distributed_loads.clear();
   satellite.rotor.hub_loads.clear();
@@ -51,7 +48,7 @@ TEST_CASE("free models on which nothing acts have residuals of momentum") {
 }
 
 TEST_CASE("a free rotor in the plane keeps its momentum, and says so") {
-  Scenario scenario = read("free_hub_satellite");
+  Scenario scenario = test::read_shipped("free_hub_satellite");
   scenario.rotor.loads.clear();
   scenario.rotor.distributed_loads.clear();
   scenario.rotor.hub_loads.clear();

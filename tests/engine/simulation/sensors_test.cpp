@@ -13,6 +13,7 @@
 #include "engine/simulation.h"
 #include "tests/approx.h"
 #include "tests/engine/load_rotors.h"
+#include "tests/engine/serial.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -57,10 +58,6 @@ const std::vector<Way> kWays{{Formulation::structured, IntegrationMethod::genera
                              {Formulation::subsystem, IntegrationMethod::rk4},
                              {Formulation::augmented, IntegrationMethod::generalized_alpha},
                              {Formulation::augmented, IntegrationMethod::rk4}};
-
-SimulationOptions serial(Formulation formulation) {
-  return {formulation, ExecutorKind::serial, 1, 1};
-}
 
 /// Sensors at three neighbouring steps.
 struct Neighbours {

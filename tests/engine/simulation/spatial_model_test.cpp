@@ -12,6 +12,7 @@
 #include "models/error.h"
 #include "tests/engine/bodies/space/system/models.h"
 #include "tests/message_of.h"
+#include "tests/shown_values.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -28,11 +29,6 @@ Scenario make_scenario(const std::string& text, IntegrationMethod method, double
   scenario.integration.duration = duration;
   scenario.limits.deflection = 0.0;
   return scenario;
-}
-
-std::vector<double> values_of(const Simulation& simulation) {
-  const auto values = simulation.sensor_values();
-  return {values.begin(), values.end()};
 }
 
 std::shared_ptr<const Load> drag() {

@@ -10,6 +10,7 @@
 #include "models/error.h"
 #include "tests/engine/bodies/space/system/models.h"
 #include "tests/message_of.h"
+#include "tests/shown_values.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -51,11 +52,6 @@ std::vector<SupportedCase> supported_cases() {
           {"controlled on a tower",
            make_text(kTurnedHub, kBooms + kControlledPitch + kTower, kGravity)},
           {"fixed to a fuselage", make_text(kFuselageHub, kBooms + kHinges)}};
-}
-
-std::vector<double> values_of(const Simulation& simulation) {
-  const auto values = simulation.sensor_values();
-  return {values.begin(), values.end()};
 }
 
 void make_steps(int steps, Simulation& simulation) {

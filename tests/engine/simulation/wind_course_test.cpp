@@ -14,6 +14,7 @@
 #include "tests/contains.h"
 #include "tests/engine/bodies/space/system/models.h"
 #include "tests/message_of.h"
+#include "tests/shown_values.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -36,11 +37,6 @@ const std::string kStillAir =
 
 Scenario parse_blown(const std::string& wind = "") {
   return parse_scenario(blown(wind), "wind_course.toml");
-}
-
-std::vector<double> sensors_of(const Simulation& simulation) {
-  const auto values = simulation.sensor_values();
-  return {values.begin(), values.end()};
 }
 
 /// The courses that follow one another: straight lines from the scenario's wind on, and back.
@@ -73,7 +69,7 @@ TEST_CASE("a wind that is set step by step is the same wind as a function, bit f
     CHECK(wind_at_hub(simulation) == course.velocity);
     for (Simulation* each : {&simulation, &expected}) each->run_until(course.end);
     // A wind along none of the axes has its length and direction rounded by the description.
-    const std::vector<double> got = sensors_of(simulation), wanted = sensors_of(expected);
+    const std::vector<double> got = values_of(simulation), wanted = values_of(expected);
     for (std::size_t k = 0; k < got.size(); ++k) {
       CAPTURE(simulation.sensor_names()[k]);
       CHECK(got[k] == doctest::Approx(wanted[k]).epsilon(1e-9));
@@ -132,14 +128,14 @@ TEST_CASE("a restored state has the sensors of the air that were saved") {
       "[[sensor]]\nname = \"outer\"\nquantity = \"air_load\"\nblade = 1\nposition = 1.2\n";
   Simulation simulation(parse_blown(outer), kSerialWind), other(parse_blown(outer), kSerialWind);
   simulation.run_until(0.25);
-  const std::vector<double> expected = sensors_of(simulation);
+  const std::vector<double> expected = values_of(simulation);
   const SavedState state = simulation.save();
   other.run_until(0.1);
   other.restore(state);
-  CHECK(sensors_of(other) == expected);
+  CHECK(values_of(other) == expected);
   simulation.run_until(0.5);
   simulation.restore(state);
-  CHECK(sensors_of(simulation) == expected);
+  CHECK(values_of(simulation) == expected);
 }
 
 TEST_CASE("the mean wind of a scenario is that at its hub, without gusts and turbulence") {

@@ -1,5 +1,7 @@
 // The shipped rotor whose blades are chains of solids, against the beam equation.
 
+#include "tests/shipped.h"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -15,7 +17,7 @@ using namespace spoke;
 using spoke::testing::approx;
 
 TEST_CASE("the Wu-Haug rotor of solid tubes lags as the beam equation says") {
-  const Scenario scenario = read_scenario(std::string(SPOKE_MODELS_DIR) + "/wu_haug_solid.toml");
+  const Scenario scenario = test::read_shipped("wu_haug_solid");
   SimulationOptions options;
   options.executor = ExecutorKind::serial;
   Simulation simulation(scenario, options);

@@ -20,6 +20,7 @@
 #include "tests/engine/loop_models.h"
 #include "tests/engine/solids/solid_models.h"
 #include "tests/engine/step/thread_exchange.h"
+#include "tests/shipped.h"
 
 using namespace spoke;
 using test::on_ranks;
@@ -88,7 +89,7 @@ std::vector<Shown> run_shared(const Scenario& scenario, SimulationOptions option
 }
 
 Scenario read(const std::string& file, const Overrides& overrides) {
-  Scenario scenario = read_scenario(std::string(SPOKE_MODELS_DIR "/") + file + ".toml", overrides);
+  Scenario scenario = test::read_shipped(file, overrides);
   scenario.integration.duration = kSteps * scenario.integration.step;
   return scenario;
 }

@@ -12,6 +12,7 @@
 #include "models/space/rotation_vector.h"
 #include "tests/approx.h"
 #include "tests/contains.h"
+#include "tests/shipped.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -354,7 +355,7 @@ TEST_CASE("the steps of shipped scenarios are small enough") {
         "spatial_wu_haug",  "spin_up_hold_spin_down", "tree_of_bodies",    "vehicle",
         "whirl_rotor",      "wu_haug_rotor",          "wu_haug_solid"}) {
     CAPTURE(name);
-    Scenario scenario = read_scenario(std::string(SPOKE_MODELS_DIR) + "/" + name + ".toml");
+    Scenario scenario = read_shipped(name);
     Simulation simulation(scenario, kSerial);
     simulation.run_until(300 * simulation.step_size(), [](double, std::span<const double>) {});
     CHECK_FALSE(simulation.step_accuracy().place.empty());

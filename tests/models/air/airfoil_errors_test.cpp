@@ -11,6 +11,7 @@
 #include "models/error.h"
 #include "tests/message_of.h"
 #include "tests/models/air/airfoil_texts.h"
+#include "tests/models/exchange.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -24,17 +25,11 @@ struct Case {
   std::string message;
 };
 
-std::string replace(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
-}
-
 void check_cases(const std::string& text, const std::vector<Case>& cases) {
   for (const Case& bad : cases) {
     CAPTURE(bad.to);
     try {
-      air::parse_airfoil(replace(text, bad.from, bad.to), "a.dat", "a");
+      air::parse_airfoil(exchange(text, bad.from, bad.to), "a.dat", "a");
       FAIL_CHECK("no error, expected " << bad.message);
     } catch (const InputError& error) {
       const std::string place = bad.line > 0 ? "a.dat:" + std::to_string(bad.line) : "a.dat";
@@ -125,8 +120,9 @@ TEST_CASE("airfoil_errors: AeroDyn's files") {
                 "drag is -0.015, expected 0 to 100"},
                {"   10.00  1.500  0.0150", "   10.00  inf  0.0150", 28,
                 "is \"inf\", expected a lift coefficient, a finite number"}});
-  const std::string moved = replace(replace(kAerodynAirfoil, "  0    UserProp", "  1    UserProp"),
-                                    "  0    UserProp", "  2    UserProp");
+  const std::string moved =
+      exchange(exchange(kAerodynAirfoil, "  0    UserProp", "  1    UserProp"), "  0    UserProp",
+               "  2    UserProp");
   check_cases(moved, {{"made up", "made up", 5,
                        "no table has UserProp 0, expected one with the control at rest"}});
 }

@@ -10,6 +10,7 @@
 #include "models/air/airfoil_check.h"
 #include "tests/message_of.h"
 #include "tests/models/air/airfoil_texts.h"
+#include "tests/models/exchange.h"
 #include "tests/temporary_folder.h"
 
 using namespace spoke;
@@ -24,12 +25,6 @@ spatial::Airfoil parse(const std::string& text) {
   air::check_airfoil(airfoil);
   CHECK(airfoil.name == "made up");
   return airfoil;
-}
-
-std::string exchange(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "tests/models/reader/check_message.h"
 #include "tests/models/reader/spatial_texts.h"
 #include "tests/models/reader/support_texts.h"
+#include "tests/models/space_model.h"
 
 using namespace spoke;
 using spoke::test::check_message;
@@ -18,12 +19,10 @@ using spoke::test::message_of;
 
 namespace {
 
-spatial::Model model_of(const std::string& text) { return *parse_scenario(text, "f.toml").space; }
-
 /// Checks the message of a model that `change` spoils.
 template <class Change>
 void check(const std::string& text, const Change& change, const std::string& expected) {
-  spatial::Model model = model_of(text);
+  spatial::Model model = test::space_model(text);
   change(model);
   check_message(message_of([&] { spatial::check_model(model); }), expected);
 }
@@ -34,7 +33,7 @@ spatial::Joint& suspension_of(spatial::Model& model) { return model.subsystems[0
 
 TEST_CASE("supports from files are as models filled in code") {
   for (const std::string* text : {&kSupportText, &kFuselageText, &kSuspensionText})
-    CHECK_NOTHROW(spatial::check_model(model_of(*text)));
+    CHECK_NOTHROW(spatial::check_model(test::space_model(*text)));
 }
 
 TEST_CASE("a support and its tree belong together") {

@@ -12,6 +12,7 @@
 #include "models/solid/parse_mesh.h"
 #include "models/solid/solid.h"
 #include "tests/message_of.h"
+#include "tests/models/exchange.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -22,12 +23,6 @@ namespace {
 struct Case {
   std::string from, to, message;
 };
-
-std::string replace(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  REQUIRE(at != std::string::npos);
-  return text.replace(at, from.size(), to);
-}
 
 /// Checks what reading a text says, and that file and line are those of the message.
 void check_text(const std::string& text, const std::string& file, const std::string& expected) {
@@ -49,7 +44,7 @@ void check_text(const std::string& text, const std::string& file, const std::str
 void check_cases(const std::string& text, const std::string& file, const std::vector<Case>& cases) {
   for (const Case& bad : cases) {
     CAPTURE(bad.to);
-    check_text(replace(text, bad.from, bad.to), file, file + bad.message);
+    check_text(exchange(text, bad.from, bad.to), file, file + bad.message);
   }
 }
 

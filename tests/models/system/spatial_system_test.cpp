@@ -5,12 +5,12 @@
 #include <string>
 
 #include "models/scenario.h"
+#include "tests/shipped.h"
 
 using namespace spoke;
 
 TEST_CASE("equal blades in space share their bodies, and other blades do not") {
-  Scenario scenario =
-      read_scenario(std::string(SPOKE_MODELS_DIR) + "/spatial_wu_haug.toml", {"blade.count=3"});
+  Scenario scenario = test::read_shipped("spatial_wu_haug", {"blade.count=3"});
   scenario.space->blades[1].beam.point_masses.push_back({3.0, 0.1});
   const System<Space> system = make_system(*scenario.space);
   const auto& first = system.subsystems[0].bodies;
@@ -25,8 +25,7 @@ TEST_CASE("equal blades in space share their bodies, and other blades do not") {
 
 TEST_CASE("equal parts of a uniform blade share their bodies, wherever they are") {
   // Their lengths differ by round-off: 8 m times (j + 1)/7 less 8 m times j/7.
-  Scenario scenario = read_scenario(std::string(SPOKE_MODELS_DIR) + "/spatial_wu_haug.toml",
-                                    {"blade.count=1", "blade.bodies=7"});
+  Scenario scenario = test::read_shipped("spatial_wu_haug", {"blade.count=1", "blade.bodies=7"});
   const auto make = [&scenario] { return make_system(*scenario.space).subsystems[0].bodies; };
   const auto bodies = make();
   REQUIRE(bodies.size() == 7);

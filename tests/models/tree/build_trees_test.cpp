@@ -9,6 +9,7 @@
 #include "tests/message_of.h"
 #include "tests/models/reader/loop_texts.h"
 #include "tests/models/reader/spatial_texts.h"
+#include "tests/models/space_model.h"
 
 using doctest::Approx;
 using namespace spoke::spatial;
@@ -17,8 +18,6 @@ using spoke::test::kBladeText;
 using spoke::test::kTreeText;
 
 namespace {
-
-Model read(const std::string& text) { return *spoke::parse_scenario(text, "f.toml").space; }
 
 const FlexibleBody& flexible(const TreeBody& body) { return std::get<FlexibleBody>(body.shape); }
 
@@ -31,7 +30,7 @@ void check_same_mass(const MassProperties& a, const MassProperties& b) {
 }  // namespace
 
 TEST_CASE("a blade is a chain of bodies with its joints at their stations") {
-  const std::vector<Tree> trees = build_trees(read(kBladeText));
+  const std::vector<Tree> trees = build_trees(spoke::test::space_model(kBladeText));
   REQUIRE(trees.size() == 3);
   const Tree& tree = trees[1];
   CHECK(tree.name == "blade 2");
@@ -54,7 +53,8 @@ TEST_CASE("a blade is a chain of bodies with its joints at their stations") {
 }
 
 TEST_CASE("azimuth, precone and radius put a blade's root where they say") {
-  Model model = read(edited(kBladeText, "count = 3", "count = 4\nprecone = 0.2"));
+  Model model =
+      spoke::test::space_model(edited(kBladeText, "count = 3", "count = 4\nprecone = 0.2"));
   model.hub.radius = 0.5;
   const Tree tree = build_trees(model)[1];  // at a quarter turn
   const Placement root = calc_placements(tree)[0];
@@ -65,7 +65,7 @@ TEST_CASE("azimuth, precone and radius put a blade's root where they say") {
 }
 
 TEST_CASE("blades stand around the hub's axis") {
-  Model model = read(kBladeText);
+  Model model = spoke::test::space_model(kBladeText);
   const MassProperties upright = calc_mass_properties(model.hub, build_trees(model));
   model.hub.inertia = 3.0 * Tensor::Identity();
   model.hub.axis = Vector(1.0, -2.0, 0.5);
@@ -82,7 +82,7 @@ TEST_CASE("blades stand around the hub's axis") {
 }
 
 TEST_CASE("a blade's mass does not depend on joints and on the number of bodies") {
-  Model model = read(kBladeText);
+  Model model = spoke::test::space_model(kBladeText);
   const MassProperties jointed = calc_mass_properties(build_trees(model)[0]);
   model.blades[0].joints.clear();
   model.blades[0].beam.bodies = 1;
@@ -91,7 +91,7 @@ TEST_CASE("a blade's mass does not depend on joints and on the number of bodies"
 }
 
 TEST_CASE("a bent blade goes on where the body before it ends") {
-  Model model = read(kBladeText);
+  Model model = spoke::test::space_model(kBladeText);
   Blade& blade = model.blades[0];
   blade.beam.sections.prebend = {0.0, 0.3, 1.2};
   const std::vector<Placement> placements = calc_placements(build_trees(model)[0]);
@@ -102,7 +102,7 @@ TEST_CASE("a bent blade goes on where the body before it ends") {
 }
 
 TEST_CASE("a joint's offset and orientation move and turn what is outboard") {
-  Model model = read(kBladeText);
+  Model model = spoke::test::space_model(kBladeText);
   Joint& flap = model.blades[0].joints[0].joint;
   flap.offset = Vector(0.0, 0.1, 0.0);
   flap.orientation = Vector(0.0, 0.0, 0.5 * std::numbers::pi);
@@ -112,7 +112,7 @@ TEST_CASE("a joint's offset and orientation move and turn what is outboard") {
 }
 
 TEST_CASE("a point mass counts once, where two bodies meet too") {
-  Model model = read(kBladeText);
+  Model model = spoke::test::space_model(kBladeText);
   model.blades[0].beam.point_masses = {{0.0, 4.0}, {0.5, 2.0}, {8.0, 1.0}, {1.0, 3.0}};
   const Tree tree = build_trees(model)[0], bare = build_trees(model)[1];
   CHECK(calc_mass_properties(tree).mass == Approx(calc_mass_properties(bare).mass + 10.0));
@@ -123,7 +123,7 @@ TEST_CASE("a point mass counts once, where two bodies meet too") {
 }
 
 TEST_CASE("a hub whose axis points down carries its blades upside down") {
-  Model model = read(kBladeText);
+  Model model = spoke::test::space_model(kBladeText);
   model.hub.axis = Vector(0.0, 0.0, -2.0);
   const Tensor rotation = rotor_placement(model.hub).rotation;
   CHECK(rotation.isApprox(Vector(1.0, -1.0, -1.0).asDiagonal().toDenseMatrix(), 1e-15));
@@ -136,7 +136,7 @@ TEST_CASE("a subsystem's bodies stand behind their parents, in whatever order th
                                   "child = 'foot'\nkind = 'fixed'\n[integration]");
   std::string turned =
       edited(text, "parent = \"hub\"\nchild = \"boom\"", "parent = \"foot\"\nchild = \"boom\"");
-  const Tree tree = build_trees(read(turned))[0];
+  const Tree tree = build_trees(spoke::test::space_model(turned))[0];
   REQUIRE(tree.bodies.size() == 6);
   CHECK(tree.name == "arm");
   CHECK(tree.bodies[0].name == "foot");
@@ -152,7 +152,7 @@ TEST_CASE("a subsystem's bodies stand behind their parents, in whatever order th
 TEST_CASE("a child within a beam is on a node at its station") {
   for (const double station : {0.0, 0.7, 1.0, 2.5, 4.0}) {
     CAPTURE(station);
-    Model model = read(kTreeText);
+    Model model = spoke::test::space_model(kTreeText);
     model.subsystems[0].joints[1].station = station;
     const Tree tree = build_trees(model)[0];
     const TreeBody& mirror = tree.bodies.back();
@@ -164,7 +164,8 @@ TEST_CASE("a child within a beam is on a node at its station") {
 }
 
 TEST_CASE("places of a blade's loop on hub, mount and anchors are turned by its azimuth") {
-  Model model = read(edited(spoke::test::kPitchLinkText, "count = 3", "count = 4"));
+  Model model =
+      spoke::test::space_model(edited(spoke::test::kPitchLinkText, "count = 3", "count = 4"));
   const auto placement_of = [&model](std::size_t blade) {
     const std::vector<Tree> trees = build_trees(model);
     REQUIRE(trees[blade].loops.size() == 1);
@@ -189,7 +190,7 @@ const std::string kBesideText =
     "[integration]\nduration = 1.0\nstep = 0.005\n";
 
 MassProperties mass_of(const std::string& text) {
-  const Model model = read(text);
+  const Model model = spoke::test::space_model(text);
   return calc_mass_properties(build_trees(model)[0]);
 }
 
@@ -212,7 +213,7 @@ TEST_CASE("a joint at the root of such an axis stands on it, one that carries it
   const std::string joint =
       "[[blade.joint]]\nstation = 0.0\nkind = \"revolute\"\naxis = [0, 1, 0]\n"
       "offset = [0.0, 0.1, 0.0]\n";
-  const Tree hinged = build_trees(read(kBesideText + joint))[0];
+  const Tree hinged = build_trees(spoke::test::space_model(kBesideText + joint))[0];
   CHECK(calc_placements(hinged)[0].position.isApprox(Vector(0.5, 0.4, -0.2), 1e-14));
   CHECK(hinged.bodies[0].joint.kind == JointKind::revolute);
   const std::string body =
@@ -223,11 +224,11 @@ TEST_CASE("a joint at the root of such an axis stands on it, one that carries it
       "[[subsystem.joint]]\nparent = \"hub\"\nchild = \"b\"\nkind = \"fixed\"\n"
       "offset = [1.0, 0.0, 0.0]\norientation = [0.0, 0.0, 1.5707963267948966]\n"
       "[integration]\nduration = 1.0\nstep = 0.005\n";
-  const Tree fixed = build_trees(read(body))[0];
+  const Tree fixed = build_trees(spoke::test::space_model(body))[0];
   CHECK(calc_placements(fixed)[0].position.isApprox(Vector(0.7, 0.0, 0.0), 1e-14));
   const std::string moving =
       edited(body, "kind = \"fixed\"\noffset", "kind = \"revolute\"\naxis = [0, 0, 1]\noffset");
-  CHECK(spoke::test::message_of([&] { read(moving); })
+  CHECK(spoke::test::message_of([&] { spoke::test::space_model(moving); })
             .find("subsystem.1.joint.1.kind: is \"revolute\", but the axis of \"b\" begins beside "
                   "the joint, at sweep = 0.3 and prebend = 0; expected \"fixed\", or a beam whose "
                   "sweep and prebend are 0 at its root") != std::string::npos);

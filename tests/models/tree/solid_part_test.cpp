@@ -8,6 +8,7 @@
 #include "tests/models/reader/solid_texts.h"
 #include "tests/models/reader/spatial_texts.h"
 #include "tests/models/solid/grid_mesh.h"
+#include "tests/models/space_model.h"
 
 using doctest::Approx;
 using namespace spoke::spatial;
@@ -15,16 +16,10 @@ using spoke::test::edited;
 using spoke::test::kSolidText;
 using spoke::testing::approx;
 
-namespace {
-
-Model read_solids(const std::string& text) { return *spoke::parse_scenario(text, "f.toml").space; }
-
-}  // namespace
-
 TEST_CASE("a solid stands in its tree by its interfaces") {
   const Model model =
-      read_solids(edited(kSolidText, "child = \"bracket\"\nkind = \"fixed\"",
-                         "child = \"bracket\"\nkind = \"fixed\"\noffset = [1, 2, 3]"));
+      spoke::test::space_model(edited(kSolidText, "child = \"bracket\"\nkind = \"fixed\"",
+                                      "child = \"bracket\"\nkind = \"fixed\"\noffset = [1, 2, 3]"));
   const Tree tree = build_trees(model).front();
   REQUIRE(tree.bodies.size() == 2);
   CHECK(tree.bodies[1].parent == 0);
@@ -37,7 +32,7 @@ TEST_CASE("a solid stands in its tree by its interfaces") {
 }
 
 TEST_CASE("mass of a solid is that of its volume, its moments are about its first interface") {
-  const Tree tree = build_trees(read_solids(kSolidText)).front();
+  const Tree tree = build_trees(spoke::test::space_model(kSolidText)).front();
   const MassProperties mass = calc_mass_properties(tree, tree.bodies.front());
   // Two arms that overlap, a fillet, two holes.
   const double pi = std::numbers::pi;
@@ -51,7 +46,7 @@ TEST_CASE("mass of a solid is that of its volume, its moments are about its firs
 }
 
 TEST_CASE("loads on a solid are on its interfaces, or on sets behind them") {
-  Model model = read_solids(kSolidText);
+  Model model = spoke::test::space_model(kSolidText);
   spoke::spatial::PointLoad load = model.loads.front();
   load.traction = std::nullopt;
   load.nodes = BoxNodes{{0.39, -1, -1}, {1, 1, 1}};
@@ -76,7 +71,7 @@ TEST_CASE("loads on a solid are on its interfaces, or on sets behind them") {
 }
 
 TEST_CASE("a changed description does not keep its geometry") {
-  Model model = read_solids(kSolidText);
+  Model model = spoke::test::space_model(kSolidText);
   auto& solid = std::get<SolidBody>(model.subsystems[0].bodies[0].shape);
   REQUIRE(solid.kept);
   CHECK(spoke::solid::find_geometry(solid) == solid.kept);
@@ -93,11 +88,12 @@ TEST_CASE("bodies of one description read its mesh once, and keep one geometry")
   const auto solid_of = [](const Model& model, std::size_t subsystem) {
     return std::get<SolidBody>(model.subsystems[subsystem].bodies[0].shape);
   };
-  const Model equal = read_solids(kSolidText + second);
+  const Model equal = spoke::test::space_model(kSolidText + second);
   REQUIRE(solid_of(equal, 1).kept);
   CHECK(solid_of(equal, 1).kept == solid_of(equal, 0).kept);
   // Another reduction has constants of its own.
-  const Model other = read_solids(kSolidText + edited(second, "modes = 4", "modes = 5"));
+  const Model other =
+      spoke::test::space_model(kSolidText + edited(second, "modes = 4", "modes = 5"));
   CHECK(solid_of(other, 1).mesh == solid_of(other, 0).mesh);
   CHECK(solid_of(other, 1).kept != solid_of(other, 0).kept);
   CHECK(solid_of(other, 1).kept->of.modes == 5);
@@ -134,8 +130,8 @@ TEST_CASE("coordinates of solids are counted as they are made") {
 }
 
 TEST_CASE("copies of a subsystem stand around the hub and share what they are made of") {
-  Model model =
-      read_solids(edited(kSolidText, "name = \"arm\"", "name = \"arm\"\ncount = 3\nazimuth = 0.1"));
+  Model model = spoke::test::space_model(
+      edited(kSolidText, "name = \"arm\"", "name = \"arm\"\ncount = 3\nazimuth = 0.1"));
   REQUIRE(model.subsystems.size() == 3);
   CHECK(model.subsystems[2].name == "arm3");
   model.hub.axis = Vector(0, 0, -1);

@@ -15,6 +15,7 @@
 #include "tests/message_of.h"
 #include "tests/program/fmu/importer.h"
 #include "tests/program/fmu/unpacked_fmu.h"
+#include "tests/shown_values.h"
 
 using namespace spoke;
 using namespace spoke::test;

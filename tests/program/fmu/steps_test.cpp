@@ -14,6 +14,7 @@
 #include "tests/program/fmu/go_on.h"
 #include "tests/program/fmu/importer.h"
 #include "tests/program/fmu/unpacked_fmu.h"
+#include "tests/shown_values.h"
 
 using namespace spoke;
 using namespace spoke::test;

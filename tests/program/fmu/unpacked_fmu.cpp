@@ -16,11 +16,6 @@ Simulation simulate(const std::string& text, const Overrides& overrides) {
   return Simulation(parse_scenario(text, "rotor.toml", overrides));
 }
 
-std::vector<double> values_of(const Simulation& simulation) {
-  const auto values = simulation.sensor_values();
-  return {values.begin(), values.end()};
-}
-
 UnpackedFmu::UnpackedFmu(const std::string& scenario, const std::vector<std::string>& inputs,
                          const std::vector<std::string>& outputs, const Overrides& overrides,
                          fmu::FmiVersion version) {

@@ -135,8 +135,6 @@ duration = 1.0
 
 /// Returns the simulation of the text of a scenario.
 Simulation simulate(const std::string& text, const Overrides& overrides = {});
-/// Returns the values of all sensors.
-std::vector<double> values_of(const Simulation& simulation);
 
 /// A folder with an FMU of a scenario, removed at the end.
 class UnpackedFmu {

@@ -21,6 +21,7 @@
 #include "tests/models/air/bts_bytes.h"
 #include "tests/program/fmu/importer.h"
 #include "tests/program/fmu/unpacked_fmu.h"
+#include "tests/shown_values.h"
 #include "tests/temporary_folder.h"
 
 using namespace spoke;

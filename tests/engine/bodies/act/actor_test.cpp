@@ -17,8 +17,8 @@
 #include "graph/declaration_check.h"
 #include "models/system/spatial_system.h"
 #include "tests/engine/bodies/act/delayed_drag.h"
-#include "tests/engine/output/scene/shipped.h"
 #include "tests/engine/step/damaged_graph.h"
+#include "tests/shipped.h"
 
 using namespace spoke;
 using namespace spoke::test;

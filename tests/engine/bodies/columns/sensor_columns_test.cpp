@@ -13,6 +13,7 @@
 #include "engine/simulation.h"
 #include "models/error.h"
 #include "tests/engine/load_rotors.h"
+#include "tests/engine/serial.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -20,10 +21,6 @@ using namespace spoke::test;
 namespace {
 
 using Quantity = SensorQuantity;
-
-SimulationOptions serial(Formulation formulation) {
-  return {formulation, ExecutorKind::serial, 1, 1};
-}
 
 std::vector<Sensor> every_sensor() {
   std::vector<Sensor> sensors;

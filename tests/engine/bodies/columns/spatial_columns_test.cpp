@@ -17,8 +17,8 @@
 #include "engine/step/step_graph_builder.h"
 #include "graph/declaration_check.h"
 #include "models/system/spatial_system.h"
-#include "tests/approx.h"
 #include "tests/engine/bodies/space/system/models.h"
+#include "tests/shown_values.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -28,11 +28,6 @@ namespace {
 const SimulationOptions kSerial{Formulation::structured, ExecutorKind::serial, 1, 1};
 
 std::string sensor(const std::string& keys) { return "[[sensor]]\n" + keys + "\n"; }
-
-Eigen::Vector3d vector_of(const Simulation& simulation, const std::string& name) {
-  return {simulation.sensor(name + ".x"), simulation.sensor(name + ".y"),
-          simulation.sensor(name + ".z")};
-}
 
 /// A stiff blade of 2 m, whose mass per length falls from 2 to 1 kg/m, with a mass of 0.5 kg at
 /// 1.3 m, 2 cm off the axis.

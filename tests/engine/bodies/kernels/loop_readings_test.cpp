@@ -9,16 +9,13 @@
 #include "engine/simulation.h"
 #include "models/error.h"
 #include "tests/engine/loop_models.h"
+#include "tests/engine/serial.h"
 #include "tests/message_of.h"
 
 using namespace spoke;
 using namespace spoke::test;
 
 namespace {
-
-SimulationOptions serial(Formulation formulation) {
-  return {formulation, ExecutorKind::serial, 1, 1};
-}
 
 constexpr Formulation kFormulations[] = {Formulation::structured, Formulation::subsystem,
                                          Formulation::augmented};

@@ -7,7 +7,7 @@
 #include "engine/output/scene/make_scene.h"
 #include "models/space/rotation_vector.h"
 #include "tests/engine/bodies/space/system/models.h"
-#include "tests/engine/output/scene/shipped.h"
+#include "tests/shipped.h"
 
 using namespace spoke;
 using namespace spoke::scene;

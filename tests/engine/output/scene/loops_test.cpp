@@ -8,7 +8,7 @@
 
 #include "engine/output/scene/deformed.h"
 #include "engine/output/scene/make_scene.h"
-#include "tests/engine/output/scene/shipped.h"
+#include "tests/shipped.h"
 
 using doctest::Approx;
 using namespace spoke;

@@ -10,7 +10,7 @@
 #include "engine/output/scene/solids.h"
 #include "models/tree/space_beam.h"
 #include "tests/engine/bodies/space/system/models.h"
-#include "tests/engine/output/scene/shipped.h"
+#include "tests/shipped.h"
 
 using namespace spoke;
 using namespace spoke::scene;

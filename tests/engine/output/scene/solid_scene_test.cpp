@@ -15,6 +15,7 @@
 #include "engine/output/vtk/solid_vtk.h"
 #include "engine/simulation.h"
 #include "tests/engine/solids/solid_models.h"
+#include "tests/shown_values.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -81,11 +82,6 @@ Sensor make_sensor(SensorQuantity quantity, const std::string& name, const std::
   sensor.frame =
       quantity == SensorQuantity::von_mises ? std::nullopt : std::optional(SensorFrame::inertial);
   return sensor;
-}
-
-Vector vector_of(const Simulation& simulation, const std::string& name) {
-  return {simulation.sensor(name + ".x"), simulation.sensor(name + ".y"),
-          simulation.sensor(name + ".z")};
 }
 
 /// Returns the place of a node in the hub's frame by the constants and coordinates of its solid.

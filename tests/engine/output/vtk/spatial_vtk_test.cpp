@@ -9,8 +9,8 @@
 
 #include "engine/output/scene/make_scene.h"
 #include "tests/engine/bodies/space/system/models.h"
-#include "tests/engine/output/scene/shipped.h"
 #include "tests/engine/output/vtk/vtk_numbers.h"
+#include "tests/shipped.h"
 
 using namespace spoke;
 using namespace spoke::test;

@@ -16,6 +16,7 @@
 #include "spoke/error.h"
 #include "tests/approx.h"
 #include "tests/message_of.h"
+#include "tests/shipped.h"
 
 using namespace spoke;
 using spoke::testing::approx;
@@ -175,7 +176,7 @@ TEST_CASE("the NREL 5 MW rotor has its published power and thrust, rigid and ela
     double wind, power, thrust;
   };
   const Published published[] = {{5.0, 403.9, 174.9}, {8.0, 1771.0, 384.0}, {10.0, 3448.0, 597.5}};
-  const Scenario scenario = read_scenario(SPOKE_MODELS_DIR "/nrel_5mw_in_wind.toml");
+  const Scenario scenario = test::read_shipped("nrel_5mw_in_wind");
   for (const bool is_rigid : {true, false}) {
     const PerformanceResult result =
         solve_performance(scenario, {.wind = {5.0, 8.0, 10.0, 15.0}, .is_rigid = is_rigid});
@@ -196,7 +197,7 @@ TEST_CASE("the NREL 5 MW rotor has its published power and thrust, rigid and ela
 
 TEST_CASE("a governed rotor is found by itself in any wind, beyond that of shutdown too") {
   constexpr double kDegree = std::numbers::pi / 180.0;
-  const Scenario scenario = read_scenario(SPOKE_MODELS_DIR "/nrel_5mw_in_wind.toml");
+  const Scenario scenario = test::read_shipped("nrel_5mw_in_wind");
   // Pitch as published to 25 m/s (NREL/TP-500-38060, table 7-1), of blades that do not twist under
   // load; beyond, about where that leads. Each wind alone: no neighbour leads there.
   struct Published {
@@ -226,7 +227,7 @@ TEST_CASE("pitch is what the joints stand at") {
   CHECK(solve_performance(held, {.tip_speed_ratio = {6.0}}).points.at(0).pitch == -0.0838);
   CHECK(solve_performance(held, {.wind = {8.0}, .pitch = {0.1}}).points.at(0).pitch == 0.1);
   // A controller's angle is added to the joint's own.
-  Scenario governed = read_scenario(SPOKE_MODELS_DIR "/nrel_5mw_in_wind.toml");
+  Scenario governed = test::read_shipped("nrel_5mw_in_wind");
   const PerformanceOptions options{.wind = {8.0, 15.0}, .is_rigid = true};
   const PerformanceResult plain = solve_performance(governed, options);
   for (spatial::Blade& blade : governed.space->blades)

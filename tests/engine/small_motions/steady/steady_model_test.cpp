@@ -9,16 +9,13 @@
 #include "engine/small_motions/steady/derivatives.h"
 #include "engine/small_motions/steady/linear_model.h"
 #include "tests/engine/small_motions/steady/blades.h"
+#include "tests/shipped.h"
 
 namespace spoke::steady {
 namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-Scenario read(const std::string& model) {
-  return read_scenario(std::string(SPOKE_MODELS_DIR) + '/' + model);
-}
 
 /// Returns a state in which all coordinates are moved.
 SubsystemState make_moved(std::size_t subsystem, const SteadyModel& model) {
@@ -59,12 +56,12 @@ TEST_CASE("steady model: forces at zero accelerations are mass times the step's 
   Scenario chord = test::make_planar({});
   chord.rotor.blades[0].reference_frame = ReferenceFrame::chord;
   check_forces(chord, 3.0);
-  check_forces(read("wu_haug_rotor.toml"), 4.0);
-  check_forces(read("spatial_wu_haug.toml"), 4.0);
-  check_forces(read("articulated_rotor.toml"), 36.0);
-  check_forces(read("tree_of_bodies.toml"), 1.0);
-  check_forces(read("heavy_top.toml"), 0.0);
-  Scenario bent = read("nrel_5mw_rotor.toml");
+  check_forces(test::read_shipped("wu_haug_rotor"), 4.0);
+  check_forces(test::read_shipped("spatial_wu_haug"), 4.0);
+  check_forces(test::read_shipped("articulated_rotor"), 36.0);
+  check_forces(test::read_shipped("tree_of_bodies"), 1.0);
+  check_forces(test::read_shipped("heavy_top"), 0.0);
+  Scenario bent = test::read_shipped("nrel_5mw_rotor");
   bent.space->blades[0].beam.reference_frame = ReferenceFrame::chord;
   check_forces(bent, 1.3);
 }
@@ -97,9 +94,9 @@ void check_linear(const Scenario& scenario, double speed) {
 TEST_CASE("linear model: stiffness and damping are those of the step's accelerations") {
   check_linear(test::make_planar({}), 3.0);
   check_linear(test::make_spatial({}), 3.0);
-  check_linear(read("wu_haug_rotor.toml"), 4.0);
-  check_linear(read("articulated_rotor.toml"), 36.0);
-  check_linear(read("nrel_5mw_rotor.toml"), 1.267);
+  check_linear(test::read_shipped("wu_haug_rotor"), 4.0);
+  check_linear(test::read_shipped("articulated_rotor"), 36.0);
+  check_linear(test::read_shipped("nrel_5mw_rotor"), 1.267);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "models/error.h"
 #include "tests/engine/small_motions/steady/blades.h"
 #include "tests/message_of.h"
+#include "tests/shipped.h"
 
 namespace spoke {
 namespace {
@@ -144,7 +145,7 @@ TEST_CASE("campbell: branches of coarse and fine rows of speeds agree") {
 
 TEST_CASE("campbell: a branch goes on as the mode of its name, with any number of modes") {
   // The whirls of blades on a tower are standing patterns at rest. Names do not hang on following.
-  const Scenario turbine = read_scenario(std::string(SPOKE_MODELS_DIR) + "/nrel_5mw_turbine.toml");
+  const Scenario turbine = test::read_shipped("nrel_5mw_turbine");
   const CampbellResult found = solve_campbell(turbine, {.speeds = {0.0, 0.2}, .count = 5});
   const ModesResult there = solve_modes(turbine, {.state = {0.2}, .count = 9});
   const auto expected = std::find_if(there.modes.begin(), there.modes.end(), [](const Mode& mode) {

@@ -11,16 +11,13 @@
 #include "engine/small_motions/vibration/frequency_limits.h"
 #include "models/error.h"
 #include "tests/engine/small_motions/steady/blades.h"
+#include "tests/shipped.h"
 
 namespace spoke {
 namespace {
 
 using vibration::find_frequency_limits;
 using vibration::FrequencyLimits;
-
-Scenario read_shipped(const std::string& model) {
-  return read_scenario(std::string(SPOKE_MODELS_DIR) + '/' + model);
-}
 
 /// Returns the highest frequency of all modes at rest.
 double find_highest(const Scenario& scenario, int modes) {
@@ -59,7 +56,7 @@ TEST_CASE("rest: the ends are those of all modes of a clamped blade") {
 }
 
 TEST_CASE("rest: rigid motions do not count, those of a free hub and of loose hinges") {
-  const Scenario booms = read_shipped("satellite_booms.toml");
+  const Scenario booms = test::read_shipped("satellite_booms");
   const FrequencyLimits found = find_frequency_limits(booms);
   const ModesResult modes = solve_modes(booms, {.state = {.speed = 0.0}, .count = 8});
   CHECK(modes.modes.at(5).eigenvalue == 0.0);
@@ -74,8 +71,8 @@ TEST_CASE("rest: rigid motions do not count, those of a free hub and of loose hi
 
 TEST_CASE("rest: a planar rotor in space has the lowest frequency of the plane") {
   const double plane =
-      Simulation(read_shipped("wu_haug_rotor.toml")).linear_properties().lowest_frequency;
-  Scenario space = read_shipped("spatial_wu_haug.toml");
+      Simulation(test::read_shipped("wu_haug_rotor")).linear_properties().lowest_frequency;
+  Scenario space = test::read_shipped("spatial_wu_haug");
   for (spatial::Blade& blade : space.space->blades)
     blade.beam.sections.flap_stiffness = blade.beam.sections.lag_stiffness;
   CHECK(Simulation(space).linear_properties().lowest_frequency ==
@@ -84,7 +81,7 @@ TEST_CASE("rest: a planar rotor in space has the lowest frequency of the plane")
 
 TEST_CASE("rest: a top does not vibrate") {
   const LinearProperties properties =
-      Simulation(read_shipped("heavy_top.toml")).linear_properties();
+      Simulation(test::read_shipped("heavy_top")).linear_properties();
   CHECK(properties.lowest_frequency == 0.0);
   CHECK(properties.highest_frequency == 0.0);
   CHECK(std::isinf(properties.rk4_largest_step));

@@ -14,6 +14,7 @@
 #include "models/scenario.h"
 #include "tests/engine/small_motions/steady/blades.h"
 #include "tests/message_of.h"
+#include "tests/shipped.h"
 
 namespace spoke {
 namespace {
@@ -101,7 +102,7 @@ TEST_CASE("mode names: blades that do not feel one another are named by patterns
 }
 
 TEST_CASE("modes: without a number there are as many as the model has") {
-  const Scenario top = read_scenario(std::string(SPOKE_MODELS_DIR) + "/heavy_top.toml");
+  const Scenario top = test::read_shipped("heavy_top");
   CHECK(solve_modes(top, {.state = {.speed = 0.0}}).modes.size() == 3);
   CHECK(solve_modes(top, {.state = {.speed = 3.0}}).modes.size() == 3);
   CHECK(solve_campbell(top, {.speeds = {1.0, 2.0, 3.0}}).branches.size() <= 3);

@@ -13,16 +13,13 @@
 #include "models/error.h"
 #include "tests/engine/small_motions/steady/blades.h"
 #include "tests/message_of.h"
+#include "tests/shipped.h"
 
 namespace spoke {
 namespace {
 
 using test::make_planar;
 using test::make_spatial;
-
-Scenario read(const std::string& model) {
-  return read_scenario(std::string(SPOKE_MODELS_DIR) + '/' + model);
-}
 
 /// Returns the frequencies of the modes of one kind, in their order [rad/s].
 std::vector<double> frequencies_of(const ModesResult& result, const std::string& kind) {
@@ -138,7 +135,7 @@ TEST_CASE("modes: a stiff articulated blade flaps and lags as its hinge offset s
 
 TEST_CASE("modes: the shipped articulated rotor flaps and lags nearly as a stiff one") {
   const ModesResult result =
-      solve_modes(read("articulated_rotor.toml"), {.state = {.speed = 36.0}, .count = 2});
+      solve_modes(test::read_shipped("articulated_rotor"), {.state = {.speed = 36.0}, .count = 2});
   const double offset = 0.3 / (7.3 - 0.3);
   const Mode& lag = result.modes.at(0);
   CHECK(lag.name == "hinges lag 1");
@@ -162,7 +159,7 @@ TEST_CASE("modes: a clamped beam at rest has ten known frequencies") {
 }
 
 TEST_CASE("modes: a free satellite at rest has rigid motions, and the frequencies of spoke check") {
-  const Scenario scenario = read("free_hub_satellite.toml");
+  const Scenario scenario = test::read_shipped("free_hub_satellite");
   const ModesResult result = solve_modes(scenario, {.state = {.speed = 0.0}, .count = 8});
   CHECK(result.are_blades_coupled);
   for (int k = 0; k < 3; ++k) CHECK(result.modes[static_cast<std::size_t>(k)].eigenvalue == 0.0);
@@ -200,7 +197,7 @@ TEST_CASE("modes: two booms on a hub without mass are a free beam") {
 }
 
 TEST_CASE("modes: of clamped blades the lowest frequency is that of spoke check") {
-  Scenario scenario = read("wu_haug_rotor.toml");
+  Scenario scenario = test::read_shipped("wu_haug_rotor");
   scenario.rotor.hub.drive = FixedDrive{};
   const ModesResult result = solve_modes(scenario, {.count = 3});
   CHECK(result.modes.at(0).of == "blades 1 to 3");
@@ -210,7 +207,7 @@ TEST_CASE("modes: of clamped blades the lowest frequency is that of spoke check"
 
 TEST_CASE("modes: a free body in space at rest has six rigid motions") {
   const ModesResult result =
-      solve_modes(read("satellite_booms.toml"), {.state = {.speed = 0.0}, .count = 8});
+      solve_modes(test::read_shipped("satellite_booms"), {.state = {.speed = 0.0}, .count = 8});
   for (std::size_t k = 0; k < 6; ++k) {
     const Mode& mode = result.modes[k];
     CHECK(mode.eigenvalue == 0.0);

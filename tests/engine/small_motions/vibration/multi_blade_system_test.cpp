@@ -20,6 +20,7 @@
 #include "models/error.h"
 #include "models/scenario.h"
 #include "tests/message_of.h"
+#include "tests/shipped.h"
 
 namespace spoke {
 namespace {
@@ -495,7 +496,7 @@ TEST_CASE("multi-blade system: a free hub answers forces as in the turning frame
 }
 
 TEST_CASE("multi-blade system: a push of constant direction on the hub is forces on it") {
-  const Scenario scenario = read_scenario(std::string(SPOKE_MODELS_DIR) + "/ground_resonance.toml");
+  const Scenario scenario = test::read_shipped("ground_resonance");
   const LinearSystem system = solve_linear_system(scenario);
   const MatrixXd B(system.B);
   const VectorXd push = B.col(input_of(system, "hub / hub_load.1"));

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 #include <string>
 
 #include "engine/modes.h"
 #include "models/scenario.h"
+#include "tests/shipped.h"
 
 namespace spoke {
 namespace {
@@ -24,9 +24,9 @@ constexpr double kRated = 12.1 * std::numbers::pi / 30.0;
 
 /// Reads the shipped rotor without weight: its blades are then alike at rest, too.
 Scenario read_rotor(int bodies = 4, int elements = 4) {
-  return read_scenario(std::filesystem::path(SPOKE_MODELS_DIR) / "nrel_5mw_rotor.toml",
-                       {"gravity.acceleration=[0, 0, 0]", "blade.bodies=" + std::to_string(bodies),
-                        "blade.elements=" + std::to_string(elements)});
+  return test::read_shipped(
+      "nrel_5mw_rotor", {"gravity.acceleration=[0, 0, 0]", "blade.bodies=" + std::to_string(bodies),
+                         "blade.elements=" + std::to_string(elements)});
 }
 
 /// Reads the rotor with the masses of table 2-1 of the report, which the shipped rotor scales.

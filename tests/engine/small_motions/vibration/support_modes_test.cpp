@@ -18,6 +18,7 @@
 #include "models/error.h"
 #include "models/scenario.h"
 #include "tests/message_of.h"
+#include "tests/shipped.h"
 
 namespace spoke {
 namespace {
@@ -26,10 +27,6 @@ using doctest::Approx;
 using Eigen::MatrixXd;
 using test::message_of;
 using Complex = std::complex<double>;
-
-Scenario read_model(const std::string& name) {
-  return read_scenario(std::string(SPOKE_MODELS_DIR) + '/' + name);
-}
 
 /// Returns the eigenvalues of M x'' + C x' + K x = 0 that have no negative imaginary part.
 std::vector<Complex> solve(const MatrixXd& M, const MatrixXd& C, const MatrixXd& K) {
@@ -80,7 +77,7 @@ std::vector<Complex> solve_coleman(double speed, double damping = 0.0) {
 
 TEST_CASE(
     "support modes: ground resonance on unequal springs has the growth of Coleman and Feingold") {
-  const Scenario scenario = read_model("ground_resonance.toml");
+  const Scenario scenario = test::read_shipped("ground_resonance");
   for (const double speed : {12.0, 20.0, 25.0, 28.0}) {
     CAPTURE(speed);
     const ModesResult found = solve_modes(scenario, {.state = {speed}, .count = 5});
@@ -92,7 +89,7 @@ TEST_CASE(
 
 TEST_CASE("support modes: ground resonance sets on where Coleman and Feingold's root grows") {
   constexpr double kDamping = 150.0;
-  Scenario scenario = read_model("ground_resonance.toml");
+  Scenario scenario = test::read_shipped("ground_resonance");
   for (spatial::Subsystem& blade : scenario.space->subsystems)
     if (!is_support(*scenario.space, blade))
       blade.joints[0].joint.coordinates[0].damping = kDamping;
@@ -130,7 +127,7 @@ TEST_CASE("support modes: a disc overhung on a standing shaft whirls as the gyro
     for (const double speed : {0.0, 60.0, 200.0}) {
       CAPTURE(lag);
       CAPTURE(speed);
-      Scenario scenario = read_model("whirl_rotor.toml");
+      Scenario scenario = test::read_shipped("whirl_rotor");
       auto& sections =
           std::get<spatial::Beam>(scenario.space->subsystems.back().bodies[0].shape).sections;
       for (double& value : sections.lag_stiffness) value = lag;
@@ -142,14 +139,14 @@ TEST_CASE("support modes: a disc overhung on a standing shaft whirls as the gyro
 }
 
 TEST_CASE("support modes: whirls are named by their sense") {
-  const ModesResult found = solve_modes(read_model("whirl_rotor.toml"), {.count = 2});
+  const ModesResult found = solve_modes(test::read_shipped("whirl_rotor"), {.count = 2});
   CHECK(found.modes[0].name == "shaft backward whirl");
   CHECK(found.modes[1].name == "shaft forward whirl");
 }
 
 TEST_CASE(
     "support modes: tower and rotor of the NREL 5 MW turbine at rest have published frequencies") {
-  Scenario scenario = read_model("nrel_5mw_turbine.toml");
+  Scenario scenario = test::read_shipped("nrel_5mw_turbine");
   scenario.space->gravity.setZero();
   scenario.space->hub.drive = FixedDrive{};
   const ModesResult found = solve_modes(scenario, {.state = {0.0}, .count = 8});
@@ -185,7 +182,7 @@ std::vector<double> find_frequencies(const MatrixXd& samples, double interval, i
 
 /// The turbine without weight, pushed at the top of its tower.
 Scenario make_pushed_turbine() {
-  Scenario scenario = read_model("nrel_5mw_turbine.toml");
+  Scenario scenario = test::read_shipped("nrel_5mw_turbine");
   spatial::Model& model = *scenario.space;
   model.gravity.setZero();
   model.hub.drive = ConstantSpeed{1.267};
@@ -377,7 +374,7 @@ TEST_CASE("support modes: outputs on a support are what its coordinates say") {
 }
 
 TEST_CASE("support modes: what has no constant matrices is refused") {
-  const Scenario scenario = read_model("ground_resonance.toml");
+  const Scenario scenario = test::read_shipped("ground_resonance");
   CHECK(message_of([&] {
           solve_modes(scenario, {.frame = ModeFrame::turning});
         }).find("the frame \"turning\" expects a hub whose support does not move") !=

@@ -6,16 +6,12 @@
 
 #include "tests/engine/rotors.h"
 #include "tests/message_of.h"
+#include "tests/relative_difference.h"
 
 using namespace spoke;
 using namespace spoke::test;
 
 namespace {
-
-/// Relative to the largest of its kind; accelerations of elements differ by orders of magnitude.
-double relative_difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-  return (a - b).lpNorm<Eigen::Infinity>() / b.lpNorm<Eigen::Infinity>();
-}
 
 /// The three formulations on one random state of one random rotor.
 void check_agreement(const RandomRotor& kind, double tolerance, std::mt19937& random) {

@@ -7,6 +7,7 @@
 #include "tests/engine/bodies/space/system/models.h"
 #include "tests/engine/bodies/space/system/random_system.h"
 #include "tests/engine/bodies/space/system/runs.h"
+#include "tests/relative_difference.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -69,10 +70,6 @@ Evaluation evaluate(const System<Space>& system, const Method& method, Formulati
   context.data.progress[0].control = {0.4, PassControl::kEvaluateOnly, is_implicit};
   graph::make_executor(graph, graph::ExecutorKind::serial)->run();
   return take(context.data);
-}
-
-double relative_difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-  return (a - b).lpNorm<Eigen::Infinity>() / b.lpNorm<Eigen::Infinity>();
 }
 
 void check_equal(const Evaluation& found, const Evaluation& expected) {

@@ -9,6 +9,7 @@
 
 #include "engine/simulation.h"
 #include "tests/engine/bodies/space/system/models.h"
+#include "tests/shown_values.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -48,10 +49,6 @@ name = "own"
 quantity = "blade_momentum"
 )";
 
-Vector3d vector_of(const Simulation& simulation, const std::string& name) {
-  return {simulation.sensor(name + ".x"), simulation.sensor(name + ".y"),
-          simulation.sensor(name + ".z")};
-}
 Wrench wrench_of(const Simulation& simulation, const std::string& name) {
   return {vector_of(simulation, name + ".force"), vector_of(simulation, name + ".moment")};
 }
