@@ -135,6 +135,7 @@ async function isBright(page, where, name) {
 async function checkDrawing(page) {
   assert.equal(await page.textContent('h1'), 'wu_haug_rotor');
   assert.match(await page.textContent('#graphnote'), /61 nodes, 78 edges/);
+  assert.equal((await page.$$('#morethreads tbody tr')).length, 7);
   await checkFit(page);
   for (const where of ['graph', 'gantt0']) {
     assert.ok(await drawn(page, where, 0) > 1000, where);
