@@ -29,27 +29,11 @@ int find_supported(const Assembly<World>& g, int i) {
     if (g.c.system.rotors[r].subsystem == i) return static_cast<int>(r);
   return -1;
 }
-/// Returns the rotor whose hub body `j` of subsystem `i` is; -1: none.
-template <class World>
-int find_hub(const Assembly<World>& g, int i, int j) {
-  const int r = find_supported(g, i);
-  return r >= 0 && g.c.system.rotors[static_cast<std::size_t>(r)].body == j ? r : -1;
-}
 
 /// Adds the nodes of the actors for subsystem `i` at this place of the pass.
 template <class World>
 void add_actors(const Assembly<World>& g, PassPlace place, int i) {
   for (const auto& actor : g.c.data.actors) actor->add_nodes(g, place, i);
-}
-/// Returns the parts by which actors act on body `j` of subsystem `i`.
-template <class World>
-PartList loads_on(const Assembly<World>& g, int i, int j);
-/// Returns the parts of actors that prescribed joints of a subsystem follow.
-template <class World>
-PartList courses_of(const Assembly<World>& g, int i) {
-  PartList list;
-  for (const auto& actor : g.c.data.actors) actor->list_courses(i, list);
-  return list;
 }
 /// Returns one member of all subsystems, and one of all bodies of all subsystems.
 template <class World>

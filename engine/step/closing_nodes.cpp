@@ -44,7 +44,7 @@ PartList reading_inputs(const Assembly<Plane>& g, int i) {
     const bool is_load = reading.quantity == SensorQuantity::section_force && !is_root;
     const bool is_accelerated = is_load || reading.quantity == SensorQuantity::acceleration;
     const bool feels_hub = is_load || reading.frame == SensorFrame::inertial;
-    if (is_load) add(loads_on(g, i, reading.body));
+    if (is_load) add(loads_on(static_cast<std::size_t>(i), reading.body, g.c.data));
     if (!is_accelerated) continue;
     for (int j = 0; j <= reading.body; ++j)
       inputs.push_back(g.subsystem(i).bodies[static_cast<std::size_t>(j)].accelerations);
@@ -58,7 +58,7 @@ PartList reading_inputs(const Assembly<Space>& g, int i) {
   const auto add = [&inputs](const PartList& list) { graph::add_to(inputs, list); };
   for (const Reading<Space>& reading : g.c.data.subsystems[i].readings) {
     const bool is_load = reading.quantity == SensorQuantity::section_force && !reading.is_root();
-    if (is_load) add(loads_on(g, i, reading.body()));
+    if (is_load) add(loads_on(static_cast<std::size_t>(i), reading.body(), g.c.data));
     if (!is_load && !is_accelerated(reading)) continue;
     for (const int j : reading.path)
       inputs.push_back(g.subsystem(i).bodies[static_cast<std::size_t>(j)].accelerations);

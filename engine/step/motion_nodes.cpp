@@ -145,20 +145,19 @@ void add_velocity(const Assembly<World>& g, int i) {
     outputs.push_back(own.modal_forces);
     modal = own.all(&BodyParts::coordinates);
   }
-  g.builder.add_node(g.label(stages::kVelocity, i),
-                     reads(own.progress, chain_parts(g, i, &BodyParts::coordinates), own.rotations,
-                           own.hub_state, azimuth, accelerations, modal, courses_of(g, i)),
-                     writes(outputs),
-                     unless_halted(*data.progress, [&system, &subsystem, &table, &data, i,
-                                                    has_tension]() noexcept {
-                       prescribe_joints(system, data.progress->control.time,
-                                        static_cast<std::size_t>(i), table);
-                       calc_velocities(subsystem, data);
-                       if (has_tension)
-                         set_angular_accelerations(system, static_cast<std::size_t>(i), table);
-                       if (!data.modal_forces.empty()) calc_modal_forces(subsystem, data);
-                       if (!data.drag_poses.empty()) calc_poses(subsystem, data, data.drag_poses);
-                     }));
+  g.builder.add_node(
+      g.label(stages::kVelocity, i),
+      reads(own.progress, chain_parts(g, i, &BodyParts::coordinates), own.rotations, own.hub_state,
+            azimuth, accelerations, modal, courses_of(static_cast<std::size_t>(i), table)),
+      writes(outputs),
+      unless_halted(*data.progress, [&system, &subsystem, &table, &data, i,
+                                     has_tension]() noexcept {
+        prescribe_joints(system, data.progress->control.time, static_cast<std::size_t>(i), table);
+        calc_velocities(subsystem, data);
+        if (has_tension) set_angular_accelerations(system, static_cast<std::size_t>(i), table);
+        if (!data.modal_forces.empty()) calc_modal_forces(subsystem, data);
+        if (!data.drag_poses.empty()) calc_poses(subsystem, data, data.drag_poses);
+      }));
 }
 
 namespace {
@@ -183,8 +182,7 @@ PartList force_inputs(const Assembly<World>& g, int i) {
           return load.frame == decltype(load.frame)::inertial;
         }))
       add(own.hub_state);
-    const PartList loads = loads_on(g, i, static_cast<int>(j));
-    graph::add_to(inputs, loads);
+    graph::add_to(inputs, loads_on(static_cast<std::size_t>(i), j, g.c.data));
     if (!has_slide(model)) continue;
     add(own.bodies[j].coordinates);
     for (int k = model.parent; k >= 0; k = data.bodies[static_cast<std::size_t>(k)].model->parent)

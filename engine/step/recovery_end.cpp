@@ -22,9 +22,7 @@ RecoveryAccess recovery_access(const Assembly<World>& g, int i, int j) {
     inputs.push_back(own.wrenches);
     inputs.push_back(body.inverse);
     if (g.c.formulation == Formulation::structured)
-      graph::add_to(inputs, graph::maybe(body.tension));
-    if (const int r = find_hub(g, i, j); r >= 0 && g.c.formulation == Formulation::structured)
-      inputs.push_back(g.parts().rotors[static_cast<std::size_t>(r)].carried);
+      graph::add_to(inputs, graph::maybe(body.tension), graph::maybe(body.carried));
   }
   if constexpr (tree::kHasJointCoordinates<World>) {
     const TreeBody<World>& model = g.c.system.subsystems[i].bodies[j];

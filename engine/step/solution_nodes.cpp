@@ -104,8 +104,7 @@ void add_inverse(const Assembly<World>& g, int i, int j) {
   PartList outputs = inverse_outputs(g, i, j);
   if constexpr (tree::kHasJointCoordinates<World>)
     inputs.push_back(own.rotations);  // for its handles
-  graph::add_to(inputs, graph::maybe(parts.tension));
-  if (const int r = find_hub(g, i, j); r >= 0) inputs.push_back(g.parts().rotors[r].carried);
+  graph::add_to(inputs, graph::maybe(parts.tension), graph::maybe(parts.carried));
   SubsystemData<World>& data = g.c.data.subsystems[i];
   // Of a solid in one slice all is done here.
   const bool is_by_slices = slices_of(data.bodies[j]) && !parts.halves.empty();

@@ -79,8 +79,7 @@ PartList terms_inputs(const Assembly<World>& g, int i, int j) {
       inputs.push_back(own.bodies[j].accelerations);
   }
   if (!member.modal.is_empty()) inputs.push_back(own.modal_forces);
-  const PartList loads = loads_on(g, i, j);
-  graph::add_to(inputs, loads);
+  graph::add_to(inputs, loads_on(i, j, g.c.data), graph::maybe(own.bodies[j].carried));
   const SubsystemData<World>& data = g.c.data.subsystems[i];
   const bool flies = data.flight_acceleration && member.stiffening;
   const bool has_rising_gravity = g.c.system.gravity_ramp > 0.0;
@@ -92,8 +91,6 @@ PartList terms_inputs(const Assembly<World>& g, int i, int j) {
   }
   // The tension may stand on either side of the equations.
   bool needs_hub = has_rising_gravity || static_cast<bool>(member.stiffening);
-  if (const int r = find_hub(g, i, j); r >= 0)
-    inputs.push_back(g.parts().rotors[static_cast<std::size_t>(r)].carried);
   if (has_slide(member)) inputs.push_back(own.applied_forces);
   if (flies) inputs.push_back(g.parts().flight_acceleration);
   for (const BodyLoad<World>& load : member.loads) {

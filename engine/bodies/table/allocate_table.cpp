@@ -210,8 +210,9 @@ void follow_rotors(const System<Space>& system, StepData<Space>& data) {
   data.rotors = std::vector<RotorData<Space>>(system.rotors.size());
   for (std::size_t r = 0; r < system.rotors.size(); ++r) {
     const SupportedRotor& rotor = system.rotors[r];
-    BodyData<Space>& hub = data.subsystems[static_cast<std::size_t>(rotor.subsystem)]
-                               .bodies[static_cast<std::size_t>(rotor.body)];
+    SubsystemData<Space>& support = data.subsystems[static_cast<std::size_t>(rotor.subsystem)];
+    BodyData<Space>& hub = support.bodies[static_cast<std::size_t>(rotor.body)];
+    BodyParts& hub_parts = support.parts.bodies[static_cast<std::size_t>(rotor.body)];
     RotorData<Space>& made = data.rotors[r];
     made.hub = data.hub;
     made.path = find_path(system, rotor);
@@ -220,6 +221,7 @@ void follow_rotors(const System<Space>& system, StepData<Space>& data) {
     RotorParts& parts = data.parts.rotors.emplace_back();
     parts.hub = maker.cover("hub motion", Mark::state, made.hub, made.acceleration, made.turn);
     parts.carried = maker.cover("carried inertia", Mark::none, made.carried);
+    hub_parts.carried = parts.carried;
     PartMaker(data.all_parts).add(data.parts.flight_acceleration, made.flight_acceleration);
     for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
       if (system.subsystems[i].rotor != static_cast<int>(r)) continue;
@@ -227,10 +229,7 @@ void follow_rotors(const System<Space>& system, StepData<Space>& data) {
       data.subsystems[i].hub = &made.hub;
       data.subsystems[i].hub_acceleration = &hub.X;
       data.subsystems[i].parts.hub_state = data.parts.rotors[r].hub;
-      data.subsystems[i].parts.hub_acceleration =
-          data.subsystems[static_cast<std::size_t>(rotor.subsystem)]
-              .parts.bodies[static_cast<std::size_t>(rotor.body)]
-              .accelerations;
+      data.subsystems[i].parts.hub_acceleration = hub_parts.accelerations;
       if (rotor.is_moved) data.subsystems[i].moved_acceleration = &made.acceleration;
     }
   }

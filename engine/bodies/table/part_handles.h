@@ -23,6 +23,7 @@ struct BodyParts {
   graph::PartId scratch;  ///< workspace of the kernels of its terms and of its recovery (space)
   graph::PartId joint;    ///< elimination of the inboard joint (structured, not at the hub)
   graph::PartId port;     ///< multi-port, which the effective inertia changes (structured, space)
+  graph::PartId carried;  ///< what a rotor's subsystems add to its hub, if the body is that (space)
   graph::PartId report;
   graph::PartId tension;  ///< tension in implicit steps, if the body has any
   // Of a solid in nodal coordinates, by slice: rows and sums of its terms; half solutions and

@@ -75,7 +75,27 @@ void StepData<World>::clear_load_failures() {
   for (const auto& actor : actors) actor->clear_failures();
 }
 
+template <class World>
+PartList loads_on(std::size_t i, std::size_t j, const StepData<World>& data) {
+  PartList list;
+  if (data.subsystems[i].bodies[j].applied.empty()) return list;  // spares a look at all markers
+  for (const auto& actor : data.actors)
+    actor->list_parts_on(static_cast<int>(i), static_cast<int>(j), list);
+  return list;
+}
+
+template <class World>
+PartList courses_of(std::size_t i, const StepData<World>& data) {
+  PartList list;
+  for (const auto& actor : data.actors) actor->list_courses(static_cast<int>(i), list);
+  return list;
+}
+
 template class StepData<Plane>;
 template class StepData<Space>;
+template PartList loads_on(std::size_t, std::size_t, const StepData<Plane>&);
+template PartList loads_on(std::size_t, std::size_t, const StepData<Space>&);
+template PartList courses_of(std::size_t, const StepData<Plane>&);
+template PartList courses_of(std::size_t, const StepData<Space>&);
 
 }  // namespace spoke

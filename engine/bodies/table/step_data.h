@@ -273,6 +273,13 @@ class StepData final : public StepTable {
   SystemRecord<World> kept_;
 };
 
+/// Returns the parts by which actors act on body `j` of subsystem `i`.
+template <class World>
+PartList loads_on(std::size_t i, std::size_t j, const StepData<World>& data);
+/// Returns the parts of actors that prescribed joints of subsystem `i` follow.
+template <class World>
+PartList courses_of(std::size_t i, const StepData<World>& data);
+
 /// Options, besides the system, on which the table's size depends.
 struct TableOptions {
   int history = 0;  ///< flex vectors per body that the integrator keeps
