@@ -9,7 +9,6 @@
 #include "engine/bodies/kernels/hub_motion.h"
 #include "engine/bodies/kernels/kinematics.h"
 #include "engine/bodies/kernels/modal_damping.h"
-#include "engine/bodies/kernels/plane/handle_motion.h"
 #include "engine/bodies/kernels/plane/section_loads.h"
 #include "engine/bodies/kernels/space/supported_rotor.h"
 #include "engine/bodies/kernels/space/table_terms.h"
@@ -22,24 +21,6 @@ using graph::PartId;
 using graph::reads;
 using graph::updates;
 using graph::writes;
-
-/// Returns a part of the bodies, coordinates or accelerations, that the kinematics of a subsystem
-/// read. Of a planar tip body they are those of its inboard handle only; a clamped frame has none.
-template <class World>
-PartList chain_parts(const Assembly<World>& g, int i, PartId BodyParts::*part) {
-  PartList list = g.subsystem(i).all(part);
-  if constexpr (!tree::kHasJointCoordinates<World>)
-    if (!turns_inboard(*g.c.system.subsystems[i].bodies.back().body)) list.pop_back();
-  return list;
-}
-
-/// Whether an implicit step has tension of any body of a subsystem on its left-hand side.
-template <class World>
-bool needs_angular_accelerations(const Assembly<World>& g, int i) {
-  const std::vector<BodyParts>& bodies = g.subsystem(i).bodies;
-  return std::any_of(bodies.begin(), bodies.end(),
-                     [](const BodyParts& body) { return body.tension.index >= 0; });
-}
 
 }  // namespace
 
@@ -110,8 +91,7 @@ void add_position(const Assembly<World>& g, int i) {
   const SubsystemParts& own = g.subsystem(i);
   PartList handles;
   if constexpr (tree::kHasJointCoordinates<World>) handles.push_back(own.rotations);
-  g.builder.add_node(g.label(stages::kPosition, i),
-                     reads(own.progress, chain_parts(g, i, &BodyParts::coordinates)),
+  g.builder.add_node(g.label(stages::kPosition, i), reads(own.progress, parts_of_rotations(data)),
                      updates(handles), writes(own.rotations),
                      unless_halted(*data.progress, [&subsystem, &data]() noexcept {
                        calc_rotations(subsystem, data);
@@ -125,39 +105,26 @@ void add_velocity(const Assembly<World>& g, int i) {
   const Subsystem<World>& subsystem = system.subsystems[i];
   StepData<World>& table = g.c.data;
   SubsystemData<World>& data = table.subsystems[i];
-  PartList outputs{own.twists}, azimuth;
+  const auto index = static_cast<std::size_t>(i);
+  PartList outputs{own.twists};
   if (!data.drag_poses.empty()) outputs.push_back(own.drag_poses);
   if constexpr (tree::kHasJointCoordinates<World>)
     outputs.push_back(own.rotations);  // the node sets the joints, too
-  if constexpr (tree::kHasJointCoordinates<World>)
-    if (follows_free_hub(system, subsystem)) azimuth.push_back(g.parts().hub_coordinates);
-  const bool has_tension = needs_angular_accelerations(g, i);
-  PartList accelerations;
-  if (has_tension) {
-    accelerations = chain_parts(g, i, &BodyParts::accelerations);
-    if constexpr (tree::kHasJointCoordinates<World>)  // whether there is any at this speed
-      for (const BodyParts& body : own.bodies)
-        graph::add_to(accelerations, graph::maybe(body.tension));
-    if (table.is_coupled && subsystem.rotor < 0) accelerations.push_back(g.parts().hub_coordinates);
-  }
-  PartList modal;
-  if (!data.modal_forces.empty()) {
-    outputs.push_back(own.modal_forces);
-    modal = own.all(&BodyParts::coordinates);
-  }
-  g.builder.add_node(
-      g.label(stages::kVelocity, i),
-      reads(own.progress, chain_parts(g, i, &BodyParts::coordinates), own.rotations, own.hub_state,
-            azimuth, accelerations, modal, courses_of(static_cast<std::size_t>(i), table)),
-      writes(outputs),
-      unless_halted(*data.progress, [&system, &subsystem, &table, &data, i,
-                                     has_tension]() noexcept {
-        prescribe_joints(system, data.progress->control.time, static_cast<std::size_t>(i), table);
-        calc_velocities(subsystem, data);
-        if (has_tension) set_angular_accelerations(system, static_cast<std::size_t>(i), table);
-        if (!data.modal_forces.empty()) calc_modal_forces(subsystem, data);
-        if (!data.drag_poses.empty()) calc_poses(subsystem, data, data.drag_poses);
-      }));
+  if (!data.modal_forces.empty()) outputs.push_back(own.modal_forces);
+  const bool has_tension = needs_angular_accelerations(data);
+  g.builder.add_node(g.label(stages::kVelocity, i),
+                     reads(own.progress, parts_of_prescribed_joints(system, index, table),
+                           parts_of_velocities(data), parts_of_angular_accelerations(index, table),
+                           parts_of_modal_forces(data)),
+                     writes(outputs),
+                     unless_halted(*data.progress, [&system, &subsystem, &table, &data, index,
+                                                    has_tension]() noexcept {
+                       prescribe_joints(system, data.progress->control.time, index, table);
+                       calc_velocities(subsystem, data);
+                       if (has_tension) set_angular_accelerations(system, index, table);
+                       if (!data.modal_forces.empty()) calc_modal_forces(subsystem, data);
+                       if (!data.drag_poses.empty()) calc_poses(subsystem, data, data.drag_poses);
+                     }));
 }
 
 namespace {

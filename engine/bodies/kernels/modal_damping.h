@@ -13,6 +13,9 @@ namespace spoke {
 /// Sets SubsystemData::modal_forces from the velocities of all bodies.
 template <class World>
 void calc_modal_forces(const Subsystem<World>& subsystem, SubsystemData<World>& data) noexcept;
+/// Returns the parts that they depend on; none where no mode damps a beam.
+template <class World>
+PartList parts_of_modal_forces(const SubsystemData<World>& data);
 
 /// Adds what they do to the right-hand side of a body, whose terms are set, and to its dissipation.
 template <class World>

@@ -8,6 +8,16 @@
 #include "engine/bodies/kernels/plane/handle_motion.h"
 
 namespace spoke {
+namespace {
+
+/// Returns this part of the bodies up to the last that moves what the kinematics find.
+PartList chain_parts(const SubsystemData<Plane>& data, graph::PartId BodyParts::*part) {
+  PartList list = data.parts.all(part);
+  if (!turns_inboard(*data.bodies.back().model->body)) list.pop_back();
+  return list;
+}
+
+}  // namespace
 
 template <class World>
 void calc_rotations(const Subsystem<World>& subsystem, SubsystemData<World>& data) noexcept {
@@ -19,6 +29,10 @@ void calc_rotations(const Subsystem<World>& subsystem, SubsystemData<World>& dat
     data.joints[j].R = bracket * calc_inboard_rotation(member).inverse();
     if (j + 1 < data.bodies.size()) bracket = calc_outboard_rotation(member);
   }
+}
+
+PartList parts_of_rotations(const SubsystemData<Plane>& data) {
+  return chain_parts(data, &BodyParts::coordinates);
 }
 
 template <class World>
@@ -72,6 +86,14 @@ void set_angular_accelerations(const System<Plane>&, std::size_t i,
     body.alpha = alpha;
     alpha += body.coordinates.a[body.outboard_at[kRotation]];
   }
+}
+
+PartList parts_of_angular_accelerations(std::size_t i, const StepData<Plane>& data) {
+  const SubsystemData<Plane>& subsystem = data.subsystems[i];
+  if (!needs_angular_accelerations(subsystem)) return {};
+  PartList list = chain_parts(subsystem, &BodyParts::accelerations);
+  if (data.is_coupled) list.push_back(data.parts.hub_coordinates);
+  return list;
 }
 
 HubState<Plane> calc_hub_state(const StepData<Plane>& data) {

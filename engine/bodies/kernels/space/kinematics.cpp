@@ -156,10 +156,24 @@ void prescribe_joints(const System<Space>& system, double t, std::size_t i,
   }
 }
 
+PartList parts_of_prescribed_joints(const System<Space>& system, std::size_t i,
+                                    const StepData<Space>& data) {
+  PartList list = courses_of(i, data);
+  const Subsystem<Space>& subsystem = system.subsystems[i];
+  if (follows_free_hub(system, subsystem)) list.push_back(data.parts.hub_coordinates);
+  if (subsystem.rotor >= 0 && follows_azimuth(subsystem))
+    list.push_back(data.subsystems[i].parts.hub_state);
+  return list;
+}
+
 void calc_rotations([[maybe_unused]] const Subsystem<Space>& subsystem,
                     SubsystemData<Space>& data) noexcept {
   assert(data.bodies.size() == subsystem.bodies.size());
   for (BodyData<Space>& body : data.bodies) body.kind->place_handles(body);
+}
+
+PartList parts_of_rotations(const SubsystemData<Space>& data) {
+  return data.parts.all(&BodyParts::coordinates);
 }
 
 void calc_velocities(const Subsystem<Space>& subsystem, SubsystemData<Space>& data) noexcept {
@@ -197,6 +211,16 @@ void set_angular_accelerations(const System<Space>& system, std::size_t i,
     body.alpha = Angular(joint.R.inverse() * space::Position(sum)) -
                  calc_section_acceleration(body, 0, angular(subsystem.twists[j]));
   }
+}
+
+PartList parts_of_angular_accelerations(std::size_t i, const StepData<Space>& data) {
+  const SubsystemData<Space>& subsystem = data.subsystems[i];
+  if (!needs_angular_accelerations(subsystem)) return {};
+  PartList list = subsystem.parts.all(&BodyParts::accelerations);
+  for (const BodyParts& body : subsystem.parts.bodies)  // whether there is any at this speed
+    graph::add_to(list, graph::maybe(body.tension));
+  if (data.is_coupled && subsystem.rotor < 0) list.push_back(data.parts.hub_coordinates);
+  return list;
 }
 
 void calc_poses(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
