@@ -39,16 +39,12 @@ template <class World>
 void add_rotor_motion(const Assembly<World>& g, int r) {
   const auto index = static_cast<std::size_t>(r);
   SystemContext<World>& c = g.c;
-  const SubsystemParts& support = g.subsystem(c.system.rotors[index].subsystem);
   const PartId hub = g.parts().rotors[index].hub;
-  PartList inputs = support.all(&BodyParts::coordinates);
-  const bool is_implicit = std::holds_alternative<GeneralizedAlpha>(c.integrator.method);
-  for (const PartId part : support.all(&BodyParts::accelerations)) inputs.push_back(part);
-  if (is_implicit || c.system.rotors[index].is_moved) inputs.push_back(g.parts().hub_coordinates);
+  const bool has_implicit = std::holds_alternative<GeneralizedAlpha>(c.integrator.method);
   StepProgress& progress = c.data.progress[0];
   g.builder.add_node(
       g.label(stages::kHubMotion),
-      reads(g.parts().progress, support.rotations, support.twists, support.hub_state, inputs),
+      reads(g.parts().progress, parts_of_rotor_place(c.system, index, has_implicit, c.data)),
       updates(hub), unless_halted(progress, [&c, &progress, index]() noexcept {
         place_rotor(c.system, index, progress.control.time, progress.control.is_implicit, c.data);
       }));

@@ -155,15 +155,8 @@ void add_rotor_sum(const Assembly<World>& g, int r) {
   const auto index = static_cast<std::size_t>(r);
   SystemContext<World>& c = g.c;
   const bool is_condensed = c.formulation != Formulation::augmented;
-  PartList inputs{g.parts().progress, g.parts().rotors[index].hub};
-  for (std::size_t i = 0; i < g.c.data.subsystems.size(); ++i) {
-    const SubsystemParts& own = g.c.data.subsystems[i].parts;
-    if (c.system.subsystems[i].rotor != r) continue;
-    if (is_condensed) inputs.push_back(own.effective);
-    if (!is_condensed)
-      for (const PartId terms : own.all(&BodyParts::terms)) inputs.push_back(terms);
-  }
-  g.builder.add_node(g.label(stages::kRotorSum), reads(inputs),
+  g.builder.add_node(g.label(stages::kRotorSum),
+                     reads(g.parts().progress, parts_of_rotor_sum(index, is_condensed, c.data)),
                      updates(g.parts().rotors[index].carried),
                      unless_halted(c.data.progress[0], [&c, index, is_condensed]() noexcept {
                        sum_rotor(c.system, index, is_condensed, c.data);

@@ -41,6 +41,16 @@ void place_rotor(const System<Space>& system, std::size_t r, double t, bool is_i
         system.subsystems[i], support, calc_hub_acceleration(system, i, data, t), rotor.path);
 }
 
+PartList parts_of_rotor_place(const System<Space>& system, std::size_t r, bool has_implicit,
+                              const StepData<Space>& data) {
+  const SupportedRotor& model = system.rotors[r];
+  const SubsystemParts& support = data.subsystems[static_cast<std::size_t>(model.subsystem)].parts;
+  PartList list{support.rotations, support.twists, support.hub_state};
+  graph::add_to(list, support.all(&BodyParts::coordinates), support.all(&BodyParts::accelerations));
+  if (has_implicit || model.is_moved) list.push_back(data.parts.hub_coordinates);
+  return list;
+}
+
 void sum_rotor(const System<Space>& system, std::size_t r, bool is_condensed,
                StepData<Space>& data) noexcept {
   assert(r < system.rotors.size() && r < data.rotors.size());
@@ -67,6 +77,18 @@ void sum_rotor(const System<Space>& system, std::size_t r, bool is_condensed,
   rotor.carried.mass = {0.5 * (mass + mass.transpose())};
   rotor.carried.force = force;
   if (is_condensed) rotor.carried.inverse = invert(rotor.carried.mass);
+}
+
+PartList parts_of_rotor_sum(std::size_t r, bool is_condensed, const StepData<Space>& data) {
+  PartList list{data.parts.rotors[r].hub};
+  for (const SubsystemData<Space>& subsystem : data.subsystems) {
+    if (subsystem.rotor != static_cast<int>(r)) continue;
+    if (is_condensed)
+      list.push_back(subsystem.parts.effective);
+    else
+      graph::add_to(list, subsystem.parts.all(&BodyParts::terms));
+  }
+  return list;
 }
 
 void update_rotors(const System<Space>& system, double t, StepData<Space>& data) noexcept {

@@ -17,6 +17,13 @@ inline void place_rotor(const System<Plane>&, std::size_t, double, bool,
                         StepData<Plane>&) noexcept {}
 void place_rotor(const System<Space>& system, std::size_t rotor, double t, bool is_implicit,
                  StepData<Space>& data) noexcept;
+/// Return the parts that it depends on; `has_implicit`: whether any pass is implicit.
+inline PartList parts_of_rotor_place(const System<Plane>&, std::size_t, bool,
+                                     const StepData<Plane>&) {
+  return {};
+}
+PartList parts_of_rotor_place(const System<Space>& system, std::size_t rotor, bool has_implicit,
+                              const StepData<Space>& data);
 
 /// Sums what the subsystems of a rotor add to its hub: M_0 + sum M^C and sum Q^C, with the terms of
 /// their stiffening by rotation. `is_condensed`: whether they are condensed; else, in the augmented
@@ -24,6 +31,9 @@ void place_rotor(const System<Space>& system, std::size_t rotor, double t, bool 
 inline void sum_rotor(const System<Plane>&, std::size_t, bool, StepData<Plane>&) noexcept {}
 void sum_rotor(const System<Space>& system, std::size_t rotor, bool is_condensed,
                StepData<Space>& data) noexcept;
+/// Return the parts that it depends on.
+inline PartList parts_of_rotor_sum(std::size_t, bool, const StepData<Plane>&) { return {}; }
+PartList parts_of_rotor_sum(std::size_t rotor, bool is_condensed, const StepData<Space>& data);
 
 /// Follows the state once more after the last correction of a step: the trees of supports, and the
 /// hubs on them, at time t [s].
