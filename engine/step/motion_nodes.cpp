@@ -9,9 +9,7 @@
 #include "engine/bodies/kernels/hub_motion.h"
 #include "engine/bodies/kernels/kinematics.h"
 #include "engine/bodies/kernels/modal_damping.h"
-#include "engine/bodies/kernels/plane/section_loads.h"
 #include "engine/bodies/kernels/space/supported_rotor.h"
-#include "engine/bodies/kernels/space/table_terms.h"
 #include "engine/step/pass_integration.h"
 
 namespace spoke {
@@ -123,67 +121,31 @@ void add_velocity(const Assembly<World>& g, int i) {
                      }));
 }
 
-namespace {
-
-/// Returns the parts on which the forces that are applied to the bodies of a subsystem depend.
-template <class World>
-PartList force_inputs(const Assembly<World>& g, int i) {
-  const SubsystemParts& own = g.subsystem(i);
-  const SubsystemData<World>& data = g.c.data.subsystems[i];
-  PartList inputs{own.progress};
-  const auto add = [&inputs](auto... parts) { (inputs.push_back(parts), ...); };
-  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
-    const BodyData<World>& body = data.bodies[j];
-    const TreeBody<World>& model = *body.model;
-    const bool has_pose = !model.drags.empty() && !data.drag_poses.empty();
-    if (depend_on_pose(body) && !has_pose) add(own.rotations);
-    if (depend_on_pose(body) && !(model.loads.empty() && model.drags.empty()))
-      add(own.bodies[j].coordinates);
-    if (!model.drags.empty()) add(own.twists, own.hub_state);
-    if (has_pose) add(own.drag_poses);
-    if (std::any_of(model.loads.begin(), model.loads.end(), [](const BodyLoad<World>& load) {
-          return load.frame == decltype(load.frame)::inertial;
-        }))
-      add(own.hub_state);
-    graph::add_to(inputs, loads_on(static_cast<std::size_t>(i), j, g.c.data));
-    if (!has_slide(model)) continue;
-    add(own.bodies[j].coordinates);
-    for (int k = model.parent; k >= 0; k = data.bodies[static_cast<std::size_t>(k)].model->parent)
-      if (data.bodies[static_cast<std::size_t>(k)].model->stiffening)
-        add(own.bodies[static_cast<std::size_t>(k)].coordinates);
-  }
-  return inputs;
-}
-
-}  // namespace
-
 template <class World>
 void add_applied_forces(const Assembly<World>& g, int i) {
   StepData<World>& table = g.c.data;
-  SubsystemData<World>& data = table.subsystems[i];
+  const auto index = static_cast<std::size_t>(i);
+  SubsystemData<World>& data = table.subsystems[index];
   if (data.applied_forces.empty()) return;
   g.builder.add_node(
-      g.label(stages::kAppliedForces, i), reads(force_inputs(g, i)),
-      writes(g.subsystem(i).applied_forces),
-      unless_halted(*data.progress, [&system = g.c.system, &table, &data, i]() noexcept {
-        calc_applied_forces(system, static_cast<std::size_t>(i), data.progress->control.time,
-                            table);
+      g.label(stages::kAppliedForces, i),
+      reads(data.parts.progress, parts_of_applied_forces(index, table)),
+      writes(data.parts.applied_forces),
+      unless_halted(*data.progress, [&system = g.c.system, &table, &data, index]() noexcept {
+        calc_applied_forces(system, index, data.progress->control.time, table);
       }));
 }
 
 template <class World>
 void add_flight_acceleration(const Assembly<World>& g) {
   SystemContext<World>& c = g.c;
-  PartList inputs{g.parts().progress, g.parts().hub_state};
-  bool is_needed = false;
-  for (std::size_t i = 0; i < c.data.subsystems.size(); ++i) {
-    const SubsystemData<World>& data = c.data.subsystems[i];
-    is_needed |= data.flight_acceleration != nullptr;
-    if (!data.applied_forces.empty()) inputs.push_back(g.c.data.subsystems[i].parts.applied_forces);
-  }
-  for (const RotorParts& rotor : g.parts().rotors) inputs.push_back(rotor.hub);
-  if (!is_needed) return;
-  g.builder.add_node(g.label(stages::kFlightAcceleration), reads(inputs),
+  const std::vector<SubsystemData<World>>& subsystems = c.data.subsystems;
+  if (std::none_of(subsystems.begin(), subsystems.end(), [](const SubsystemData<World>& data) {
+        return data.flight_acceleration != nullptr;
+      }))
+    return;
+  g.builder.add_node(g.label(stages::kFlightAcceleration),
+                     reads(g.parts().progress, parts_of_flight_acceleration(c.data)),
                      writes(g.parts().flight_acceleration),
                      unless_halted(c.data.progress[0], [&c]() noexcept {
                        calc_flight_acceleration(c.system, c.data.progress[0].control.time, c.data);

@@ -102,9 +102,20 @@ void calc_flight_acceleration(const System<World>& system, double t,
         rotor.hub.R.inverse() * PositionOf<World>(data.hub.R * data.flight_acceleration);
 }
 
+template <class World>
+PartList parts_of_flight_acceleration(const StepData<World>& data) {
+  PartList list{data.parts.hub_state};
+  for (const SubsystemData<World>& subsystem : data.subsystems)
+    if (!subsystem.applied_forces.empty()) list.push_back(subsystem.parts.applied_forces);
+  for (const RotorParts& rotor : data.parts.rotors) list.push_back(rotor.hub);
+  return list;
+}
+
 template void place_applied_forces(StepData<Plane>&);
 template void place_applied_forces(StepData<Space>&);
 template void calc_flight_acceleration(const System<Plane>&, double, StepData<Plane>&) noexcept;
 template void calc_flight_acceleration(const System<Space>&, double, StepData<Space>&) noexcept;
+template PartList parts_of_flight_acceleration(const StepData<Plane>&);
+template PartList parts_of_flight_acceleration(const StepData<Space>&);
 
 }  // namespace spoke

@@ -21,11 +21,17 @@ void calc_applied_forces(const System<Plane>& system, std::size_t i, double t,
                          StepData<Plane>& data) noexcept;
 void calc_applied_forces(const System<Space>& system, std::size_t i, double t,
                          StepData<Space>& data) noexcept;
+/// Return the parts that they depend on.
+PartList parts_of_applied_forces(std::size_t i, const StepData<Plane>& data);
+PartList parts_of_applied_forces(std::size_t i, const StepData<Space>& data);
 
 /// Sets data.flight_acceleration of a hub that flies, from the sums of the subsystems and the loads
 /// on the hub.
 template <class World>
 void calc_flight_acceleration(const System<World>& system, double t,
                               StepData<World>& data) noexcept;
+/// Returns the parts that it depends on.
+template <class World>
+PartList parts_of_flight_acceleration(const StepData<World>& data);
 
 }  // namespace spoke

@@ -20,4 +20,12 @@ void calc_applied_forces(const System<Plane>&, std::size_t i, double t,
   data.applied_forces.back() = data.applied_forces.front();
 }
 
+PartList parts_of_applied_forces(std::size_t i, const StepData<Plane>& table) {
+  const SubsystemData<Plane>& data = table.subsystems[i];
+  PartList list;
+  for (std::size_t j = 0; j < data.bodies.size(); ++j)
+    graph::add_to(list, loads_on(i, j, table), plane::parts_of_forces(j, data));
+  return list;
+}
+
 }  // namespace spoke

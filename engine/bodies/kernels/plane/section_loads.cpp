@@ -101,6 +101,25 @@ Position calc_drag_force(const BodyDrag<Plane>& drag, const Section& section, co
   return frames.X_HB.R * calc_drag(drag, section, twist, frames.X_HB, hub, body);
 }
 
+PartList parts_of_forces(std::size_t j, const SubsystemData<Plane>& data) {
+  const BodyData<Plane>& body = data.bodies[j];
+  const std::vector<BodyLoad<Plane>>& loads = body.model->loads;
+  const bool has_drags = !body.model->drags.empty();
+  const bool has_pose = has_drags && !data.drag_poses.empty();
+  const SubsystemParts& parts = data.parts;
+  PartList list;
+  if (depend_on_pose(body)) {
+    if (!has_pose) list.push_back(parts.rotations);
+    if (!loads.empty() || has_drags) list.push_back(parts.bodies[j].coordinates);
+  }
+  if (has_drags) graph::add_to(list, parts.twists, parts.hub_state);
+  if (has_pose) list.push_back(parts.drag_poses);
+  if (std::any_of(loads.begin(), loads.end(),
+                  [](const BodyLoad<Plane>& load) { return load.frame == LoadFrame::inertial; }))
+    list.push_back(parts.hub_state);
+  return list;
+}
+
 void add_wrench(const Section& section, const Position& force, double moment, const Twist& twist,
                 BodyData<Plane>& body) noexcept {
   const Twist q = section_values(section, body.coordinates.q);

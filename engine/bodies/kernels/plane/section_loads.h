@@ -72,6 +72,9 @@ void visit_forces(double t, int j, const SubsystemData<Plane>& data, const Visit
     visit(*section, Position(frames.X_HB.R * wrench->force));
 }
 
+/// Returns the parts on which the loads and drags among them depend.
+PartList parts_of_forces(std::size_t j, const SubsystemData<Plane>& data);
+
 /// Returns the force [N] and the moment about the deformed section [N m] that loads of the
 /// scenario, drag and loads of the user's exert on body `j` of a subsystem at a section and
 /// outboard of it; body frame. Poses, twists and the hub's motion must be those of the state at

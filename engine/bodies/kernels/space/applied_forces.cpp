@@ -53,4 +53,14 @@ void calc_applied_forces(const System<Space>& system, std::size_t i, double t,
   sums.back() = whole;
 }
 
+PartList parts_of_applied_forces(std::size_t i, const StepData<Space>& table) {
+  const SubsystemData<Space>& data = table.subsystems[i];
+  PartList list;
+  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
+    graph::add_to(list, loads_on(i, j, table), parts_of_forces(j, data));
+    if (has_slide(*data.bodies[j].model)) graph::add_to(list, parts_of_slide(j, data));
+  }
+  return list;
+}
+
 }  // namespace spoke

@@ -44,6 +44,11 @@ bool is_resolved(const BodyData<Space>& body) {
   return !body.loads.empty() || (has_applied_tension(body) && !body.applied.empty());
 }
 
+bool is_any_in(spatial::LoadFrame frame, const std::vector<BodyLoad<Space>>& loads) {
+  return std::any_of(loads.begin(), loads.end(),
+                     [frame](const BodyLoad<Space>& load) { return load.frame == frame; });
+}
+
 bool has_working_field(const System<Space>& system, const SubsystemData<Space>& data) {
   return system.hub.mount || data.flight_acceleration || data.moved_acceleration;
 }
@@ -85,11 +90,8 @@ space::Position calc_deformed_momentum(const BodyData<Space>& body,
 
 bool depend_on_pose(const BodyData<Space>& body) noexcept {
   const std::vector<BodyLoad<Space>>& loads = body.model->loads;
-  return !body.applied.empty() ||
-         std::any_of(loads.begin(), loads.end(), [](const BodyLoad<Space>& load) {
-           return load.frame == spatial::LoadFrame::body ||
-                  load.frame == spatial::LoadFrame::section;
-         });
+  return !body.applied.empty() || is_any_in(spatial::LoadFrame::body, loads) ||
+         is_any_in(spatial::LoadFrame::section, loads);
 }
 
 space::Position sum_forces(double t, const Subsystem<Space>& subsystem,
@@ -103,6 +105,18 @@ space::Position sum_forces(double t, const Subsystem<Space>& subsystem,
   sum += body.kind->sum_loads(t, R_HB, data.hub->R, body);
   for (const AppliedWrench<Space>& at : body.applied) sum += at.wrench->force;
   return R_HB * sum;
+}
+
+PartList parts_of_forces(std::size_t j, const SubsystemData<Space>& data) {
+  const BodyData<Space>& body = data.bodies[j];
+  const std::vector<BodyLoad<Space>>& loads = body.model->loads;
+  PartList list;
+  if (depend_on_pose(body)) {
+    list.push_back(data.parts.rotations);
+    if (!loads.empty()) list.push_back(data.parts.bodies[j].coordinates);
+  }
+  if (is_any_in(spatial::LoadFrame::inertial, loads)) list.push_back(data.parts.hub_state);
+  return list;
 }
 
 std::array<double, space::Joint::kMost> calc_motors(const space::TreeJoint& joint,
@@ -130,6 +144,15 @@ space::SlideState calc_slide_shift(const SubsystemData<Space>& data, std::size_t
     outer = body.model;
   }
   return slide;
+}
+
+PartList parts_of_slide(std::size_t j, const SubsystemData<Space>& data) {
+  PartList list{data.parts.bodies[j].coordinates};
+  for (int k = data.bodies[j].model->parent; k >= 0;
+       k = data.bodies[static_cast<std::size_t>(k)].model->parent)
+    if (data.bodies[static_cast<std::size_t>(k)].model->stiffening)
+      list.push_back(data.parts.bodies[static_cast<std::size_t>(k)].coordinates);
+  return list;
 }
 
 ShiftedJoint::ShiftedJoint(const BodyData<Space>& body, const space::SlideState& slide) noexcept

@@ -26,9 +26,14 @@ bool depend_on_pose(const BodyData<Space>& body) noexcept;
 space::Position sum_forces(double t, const Subsystem<Space>& subsystem,
                            const SubsystemData<Space>& data, std::size_t j) noexcept;
 
+/// Returns the parts on which the scenario's loads among it depend.
+PartList parts_of_forces(std::size_t j, const SubsystemData<Space>& data);
+
 /// Returns shift and rate of the coordinate by which the joint that carries body `j` slides, from
 /// the deformation of the bodies inboard. Precondition: it slides.
 space::SlideState calc_slide_shift(const SubsystemData<Space>& data, std::size_t j) noexcept;
+/// Returns the parts on which they and the forces at the true place depend.
+PartList parts_of_slide(std::size_t j, const SubsystemData<Space>& data);
 
 /// A joint's state with its slide at the true place; stays in place.
 struct ShiftedJoint {
