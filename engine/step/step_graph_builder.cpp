@@ -64,50 +64,6 @@ using graph::StepGraphBuilder;
 using graph::updates;
 using graph::writes;
 
-/// Returns the parts that a body's terms read: only those on which its options make them depend.
-template <class World>
-PartList terms_inputs(const Assembly<World>& g, int i, int j) {
-  const SubsystemParts& own = g.subsystem(i);
-  const TreeBody<World>& member = g.c.system.subsystems[i].bodies[j];
-  PartList inputs{own.progress, own.bodies[j].coordinates, own.twists};
-  if (std::holds_alternative<GeneralizedAlpha>(g.c.integrator.method)) {
-    // q_elastic and v_elastic, unless they are q and v.
-    if (tree::kHasJointCoordinates<World> ||
-        !has_nonlinear_strain(g.c.data.subsystems[i].bodies[j]))
-      inputs.push_back(own.bodies[j].history);
-    if (has_coordinates(member) || own.bodies[j].tension.index >= 0)
-      inputs.push_back(own.bodies[j].accelerations);
-  }
-  if (!member.modal.is_empty()) inputs.push_back(own.modal_forces);
-  graph::add_to(inputs, loads_on(i, j, g.c.data), graph::maybe(own.bodies[j].carried));
-  const SubsystemData<World>& data = g.c.data.subsystems[i];
-  const bool flies = data.flight_acceleration && member.stiffening;
-  const bool has_rising_gravity = g.c.system.gravity_ramp > 0.0;
-  bool needs_rotations = has_rising_gravity;
-  if (member.stiffening) {
-    const BodyData<World>& body = data.bodies[j];
-    if (body.forces.carried && !has_slide(member)) inputs.push_back(own.applied_forces);
-    needs_rotations |= body.forces.applied;
-  }
-  // The tension may stand on either side of the equations.
-  bool needs_hub = has_rising_gravity || static_cast<bool>(member.stiffening);
-  if (has_slide(member)) inputs.push_back(own.applied_forces);
-  if (flies) inputs.push_back(g.parts().flight_acceleration);
-  for (const BodyLoad<World>& load : member.loads) {
-    using Frame = decltype(load.frame);
-    needs_rotations |= load.frame == Frame::hub || load.frame == Frame::inertial;
-    needs_hub |= load.frame == Frame::inertial;
-  }
-  if (std::any_of(member.drags.begin(), member.drags.end(),
-                  [](const BodyDrag<World>& drag) { return drag.relative_to == DragFrame::hub; })) {
-    needs_hub = true;
-    inputs.push_back(own.drag_poses);
-  }
-  if (needs_rotations) inputs.push_back(own.rotations);
-  if (needs_hub) inputs.push_back(own.hub_state);
-  return inputs;
-}
-
 // Calculate the terms of a body and of all that acts on it, by world.
 
 void calc_mass_terms(const SystemContext<Plane>& c, int i, int j,
@@ -137,22 +93,32 @@ void calc_mass_terms(const SystemContext<Space>& c, int i, int j,
   calc_terms(c.system, c.system.subsystems[i], control.time, shares, j, data);
 }
 
+/// Returns the parts that they and the damping by modes depend on.
+template <class World>
+PartList parts_of_mass(const SystemContext<World>& c, std::size_t i, std::size_t j) {
+  const SubsystemData<World>& data = c.data.subsystems[i];
+  const bool has_implicit = std::holds_alternative<GeneralizedAlpha>(c.integrator.method);
+  PartList list{data.parts.progress};
+  graph::add_to(list, parts_of_terms(c.system, i, j, has_implicit, c.data),
+                parts_of_modal_damping(j, data));
+  const BodyParts& own = data.parts.bodies[j];
+  if (own.tension.index >= 0)  // for the frame's angular acceleration; for implicit strain
+    list.push_back(tree::kHasJointCoordinates<World> ? data.parts.rotations : own.accelerations);
+  return list;
+}
+
 template <class World>
 void add_mass(const Assembly<World>& g, int i, int j) {
   const SystemContext<World>& c = g.c;
   SubsystemData<World>& data = g.c.data.subsystems[i];
   const BodyParts& parts = g.subsystem(i).bodies[j];
-  PartList inputs = terms_inputs(g, i, j);
-  add_mass_tiles(g, i, j, inputs);
+  add_mass_tiles(g, i, j);
   // Loads add to the rows of tiles; tension stays while the speed does.
   PartList changed = parts.tiles;
   graph::add_to(changed, graph::maybe(parts.tension));
-  if constexpr (tree::kHasJointCoordinates<World>) {
-    if (parts.tension.index >= 0)
-      inputs.push_back(g.subsystem(i).rotations);  // for the frames' angular accelerations
-    changed.push_back(parts.scratch);              // not all of it is overwritten
-  }
-  g.builder.add_node(g.label(stages::kMass, i, j), reads(inputs), updates(changed),
+  if constexpr (tree::kHasJointCoordinates<World>)
+    changed.push_back(parts.scratch);  // not all of it is overwritten
+  g.builder.add_node(g.label(stages::kMass, i, j), reads(parts_of_mass(c, i, j)), updates(changed),
                      writes(parts.terms, parts.power),
                      unless_halted(*data.progress, [&c, &data, i, j]() noexcept {
                        fetch_for_terms(data, static_cast<std::size_t>(j));

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "engine/space/table_terms.h"
 #include "engine/step/recovery_end.h"
 
 namespace spoke {
@@ -56,19 +57,23 @@ void add_completion(const Assembly<Space>& g, int i, int j) {
 }  // namespace
 
 template <>
-void add_mass_tiles(const Assembly<Plane>&, int, int, const PartList&) {}
+void add_mass_tiles(const Assembly<Plane>&, int, int) {}
 template <>
 void add_forward(const Assembly<Plane>&, int, int) {}
 template <>
 void add_backward(const Assembly<Plane>&, int, int) {}
 
 template <>
-void add_mass_tiles(const Assembly<Space>& g, int i, int j, const PartList& inputs) {
+void add_mass_tiles(const Assembly<Space>& g, int i, int j) {
   const TiledBody own(g, i, j);
   const System<Space>& system = g.c.system;
+  const bool has_implicit = std::holds_alternative<GeneralizedAlpha>(g.c.integrator.method);
+  const graph::Reads inputs = reads(
+      own.data.parts.progress, parts_of_terms(system, static_cast<std::size_t>(i),
+                                              static_cast<std::size_t>(j), has_implicit, g.c.data));
   for (std::size_t p = 0; p < own.count(); ++p)
     g.builder.add_node(
-        label_of(g, stages::kMassTile, i, j, p), reads(inputs), writes(own.parts.tiles[p]),
+        label_of(g, stages::kMassTile, i, j, p), inputs, writes(own.parts.tiles[p]),
         unless_halted(
             *own.data.progress, [&system, &data = own.data, slices = own.slices, j, p]() noexcept {
               slices->calc_terms(system, data.progress->control.time, j, static_cast<int>(p), data);

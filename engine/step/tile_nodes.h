@@ -12,9 +12,9 @@ namespace spoke {
 inline const BodySlices* slices_of(const BodyData<Plane>&) { return nullptr; }
 inline const BodySlices* slices_of(const BodyData<Space>& body) { return body.kind->slices(body); }
 
-/// Adds the nodes of the terms of each slice, which read `inputs`.
+/// Adds the nodes of the terms of each slice.
 template <class World>
-void add_mass_tiles(const Assembly<World>& g, int i, int j, const PartList& inputs);
+void add_mass_tiles(const Assembly<World>& g, int i, int j);
 /// Adds the nodes of the half solutions of each slice.
 template <class World>
 void add_forward(const Assembly<World>& g, int i, int j);

@@ -55,11 +55,6 @@ void calc_modal_forces(const Subsystem<World>& subsystem, SubsystemData<World>& 
 }
 
 template <class World>
-PartList parts_of_modal_forces(const SubsystemData<World>& data) {
-  return data.modal_forces.empty() ? PartList{} : data.parts.all(&BodyParts::coordinates);
-}
-
-template <class World>
 void add_modal_damping(const ArenaVector<double>& modal_forces, BodyData<World>& body) noexcept {
   const ModalShare& share = body.model->modal;
   for (Eigen::Index mode = 0; mode < share.weights.cols(); ++mode) {
@@ -90,8 +85,6 @@ std::vector<double> calc_modal_deformation(const Subsystem<World>& subsystem,
 
 template void calc_modal_forces(const Subsystem<Plane>&, SubsystemData<Plane>&) noexcept;
 template void calc_modal_forces(const Subsystem<Space>&, SubsystemData<Space>&) noexcept;
-template PartList parts_of_modal_forces(const SubsystemData<Plane>&);
-template PartList parts_of_modal_forces(const SubsystemData<Space>&);
 template void add_modal_damping(const ArenaVector<double>&, BodyData<Plane>&) noexcept;
 template void add_modal_damping(const ArenaVector<double>&, BodyData<Space>&) noexcept;
 template std::vector<double> calc_modal_deformation(const Subsystem<Plane>&,

@@ -15,11 +15,18 @@ template <class World>
 void calc_modal_forces(const Subsystem<World>& subsystem, SubsystemData<World>& data) noexcept;
 /// Returns the parts that they depend on; none where no mode damps a beam.
 template <class World>
-PartList parts_of_modal_forces(const SubsystemData<World>& data);
+PartList parts_of_modal_forces(const SubsystemData<World>& data) {
+  return data.modal_forces.empty() ? PartList{} : data.parts.all(&BodyParts::coordinates);
+}
 
 /// Adds what they do to the right-hand side of a body, whose terms are set, and to its dissipation.
 template <class World>
 void add_modal_damping(const ArenaVector<double>& modal_forces, BodyData<World>& body) noexcept;
+/// Returns the parts that it depends on besides the velocities of body `j`.
+template <class World>
+PartList parts_of_modal_damping(std::size_t j, const SubsystemData<World>& data) {
+  return data.bodies[j].model->modal.is_empty() ? PartList{} : PartList{data.parts.modal_forces};
+}
 
 /// Returns the deformation (flex vector) of which the elastic forces are those of the damping by
 /// modes at the velocities in the table; empty if the body has none.

@@ -2,6 +2,7 @@
 
 #include "engine/bodies/kernels/plane/table_terms.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "engine/bodies/kernels/kinematics.h"
@@ -63,6 +64,38 @@ void calc_terms(const System<Plane>& system, const Subsystem<Plane>& subsystem, 
                   data.bodies[j]);
   add_all_applied(t, root, j, data);
   add_fields(system, root, t, j, data);
+}
+
+PartList parts_of_terms(const System<Plane>& system, std::size_t i, std::size_t j,
+                        bool has_implicit, const StepData<Plane>& table) {
+  const SubsystemData<Plane>& data = table.subsystems[i];
+  const BodyData<Plane>& body = data.bodies[j];
+  const SubsystemParts& parts = data.parts;
+  const std::vector<BodyLoad<Plane>>& loads = body.model->loads;
+  const std::vector<BodyDrag<Plane>>& drags = body.model->drags;
+  const auto any_load_in = [&loads](LoadFrame frame) {
+    return std::any_of(loads.begin(), loads.end(),
+                       [frame](const BodyLoad<Plane>& load) { return load.frame == frame; });
+  };
+  const bool has_tension = static_cast<bool>(body.model->stiffening);
+  const bool has_rising_gravity = system.gravity_ramp > 0.0;
+  const bool follows_hub = std::any_of(drags.begin(), drags.end(), [](const BodyDrag<Plane>& drag) {
+    return drag.relative_to == DragFrame::hub;
+  });
+  PartList list = loads_on(i, j, table);
+  graph::add_to(list, parts.bodies[j].coordinates, parts.twists);
+  if (has_implicit && !has_nonlinear_strain(body))  // q_elastic and v_elastic, if not q and v
+    list.push_back(parts.bodies[j].history);
+  if (has_tension && body.forces.carried) list.push_back(parts.applied_forces);
+  if (has_tension && data.flight_acceleration) list.push_back(table.parts.flight_acceleration);
+  if (follows_hub) list.push_back(parts.drag_poses);
+  if (has_rising_gravity || (has_tension && body.forces.applied) || any_load_in(LoadFrame::hub) ||
+      any_load_in(LoadFrame::inertial))
+    list.push_back(parts.rotations);
+  // The tension may stand on either side of the equations.
+  if (has_rising_gravity || has_tension || follows_hub || any_load_in(LoadFrame::inertial))
+    list.push_back(parts.hub_state);
+  return list;
 }
 
 }  // namespace spoke

@@ -191,4 +191,32 @@ void calc_terms(const System<Space>& system, const Subsystem<Space>& subsystem, 
                     *data.hub, twist, body);
 }
 
+PartList parts_of_terms(const System<Space>& system, std::size_t i, std::size_t j,
+                        bool has_implicit, const StepData<Space>& table) {
+  const SubsystemData<Space>& data = table.subsystems[i];
+  const BodyData<Space>& body = data.bodies[j];
+  const SubsystemParts& parts = data.parts;
+  const BodyParts& own = parts.bodies[j];
+  const std::vector<BodyLoad<Space>>& loads = body.model->loads;
+  const bool has_tension = static_cast<bool>(body.model->stiffening);
+  const bool rises = system.gravity_ramp > 0.0;  // gravity
+  PartList list = loads_on(i, j, table);
+  graph::add_to(list, own.coordinates, parts.twists, graph::maybe(own.carried));
+  if (has_implicit) {
+    list.push_back(own.history);  // q_elastic and v_elastic
+    if (body.model->joint.joint.coordinates > 0 || own.tension.index >= 0)
+      list.push_back(own.accelerations);
+  }
+  if (body.model->joint.slide || (has_tension && body.forces.carried))
+    list.push_back(parts.applied_forces);
+  if (has_tension && data.flight_acceleration) list.push_back(table.parts.flight_acceleration);
+  if (rises || (has_tension && body.forces.applied) || is_any_in(spatial::LoadFrame::hub, loads) ||
+      is_any_in(spatial::LoadFrame::inertial, loads))
+    list.push_back(parts.rotations);
+  // The tension may stand on either side of the equations.
+  if (rises || has_tension || is_any_in(spatial::LoadFrame::inertial, loads))
+    list.push_back(parts.hub_state);
+  return list;
+}
+
 }  // namespace spoke

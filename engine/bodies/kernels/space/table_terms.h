@@ -54,5 +54,9 @@ std::array<double, space::Joint::kMost> calc_motors(const space::TreeJoint& join
 /// to the unknown accelerations. The tiles of a solid in several slices must be done.
 void calc_terms(const System<Space>& system, const Subsystem<Space>& subsystem, double t,
                 const space::ImplicitShares& shares, int j, SubsystemData<Space>& data) noexcept;
+/// Returns the parts on which they depend, of those the ones that its options make them depend on;
+/// `has_implicit`: whether any pass is implicit.
+PartList parts_of_terms(const System<Space>& system, std::size_t i, std::size_t j,
+                        bool has_implicit, const StepData<Space>& data);
 
 }  // namespace spoke
