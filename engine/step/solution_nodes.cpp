@@ -100,32 +100,28 @@ template <class World>
 void add_inverse(const Assembly<World>& g, int i, int j) {
   const SubsystemParts& own = g.subsystem(i);
   const BodyParts& parts = own.bodies[j];
-  PartList inputs{own.progress, parts.coordinates, own.twists, parts.terms};
-  PartList outputs = inverse_outputs(g, i, j);
-  if constexpr (tree::kHasJointCoordinates<World>)
-    inputs.push_back(own.rotations);  // for its handles
-  graph::add_to(inputs, graph::maybe(parts.tension), graph::maybe(parts.carried));
   SubsystemData<World>& data = g.c.data.subsystems[i];
+  const auto index = static_cast<std::size_t>(j);
+  PartList outputs = inverse_outputs(g, i, j);
   // Of a solid in one slice all is done here.
-  const bool is_by_slices = slices_of(data.bodies[j]) && !parts.halves.empty();
-  const PartList& solved = is_by_slices ? parts.halves : parts.tiles;
-  graph::add_to(inputs, solved);
-  if (!is_by_slices) graph::add_to(outputs, parts.halves);
-  const auto add = [&](auto invert, auto& work) {
-    g.builder.add_node(g.label(stages::kInverse, i, j), reads(inputs), writes(outputs),
-                       unless_halted(*data.progress, [&data, j, invert, &work]() noexcept {
-                         invert(data.bodies[j], data.twists[j], data.progress->control.is_implicit,
-                                work);
-                       }));
+  if (!slices_of(data.bodies[j])) graph::add_to(outputs, parts.halves);
+  const auto add = [&](const PartList& inputs, auto invert, auto& work) {
+    g.builder.add_node(
+        g.label(stages::kInverse, i, j), reads(own.progress, inputs), writes(outputs),
+        unless_halted(*data.progress, [&data, j, invert, &work]() noexcept {
+          invert(data.bodies[j], data.twists[j], data.progress->control.is_implicit, work);
+        }));
   };
   if (g.c.formulation == Formulation::structured)
     return add(
+        structured::parts_of_condensed(index, data),
         [](BodyData<World>& body, const TwistOf<World>& twist, bool implicit,
            structured::BodyWork<World>& work) noexcept {
           structured::condense_body(body, twist, implicit, work);
         },
         g.c.work.structured[i].bodies[j]);
-  add(subsystem::invert_body<World>, g.c.work.subsystem[i].bodies[j]);
+  add(subsystem::parts_of_inverted(index, data), subsystem::invert_body<World>,
+      g.c.work.subsystem[i].bodies[j]);
 }
 
 template <class World>

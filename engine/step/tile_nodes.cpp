@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "engine/space/table_terms.h"
+#include "engine/bodies/kernels/space/table_terms.h"
 #include "engine/step/recovery_end.h"
 
 namespace spoke {

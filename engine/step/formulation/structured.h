@@ -37,6 +37,31 @@ struct alignas(kInterferenceSize) SubsystemWork {
 template <class World>
 void allocate(SubsystemData<World>& data, SubsystemWork<World>& work);
 
+/// Solves for W_theta and z and condenses a body to its multi-port; `twist`: of its frame. In space
+/// as its kind does.
+void condense_body(const BodyData<Plane>& data, const Twist& twist, bool implicit,
+                   BodyWork<Plane>& work) noexcept;
+inline void condense_body(BodyData<Space>& data, const space::Twist& twist, bool implicit,
+                          const BodyWork<Space>& work) noexcept {
+  data.kind->condense(twist, implicit, work, data);
+}
+/// Return the parts that it depends on: of a solid in several slices their half solutions, of which
+/// one in one slice makes its own.
+inline PartList parts_of_condensed(std::size_t j, const SubsystemData<Plane>& data) {
+  const BodyParts& parts = data.parts.bodies[j];
+  PartList list{parts.coordinates, data.parts.twists, parts.terms};
+  graph::add_to(list, graph::maybe(parts.tension));
+  return list;
+}
+inline PartList parts_of_condensed(std::size_t j, const SubsystemData<Space>& data) {
+  const BodyParts& parts = data.parts.bodies[j];
+  const BodyData<Space>& body = data.bodies[j];
+  PartList list{parts.coordinates, data.parts.twists, parts.terms};
+  graph::add_to(list, data.parts.rotations, graph::maybe(parts.tension),
+                graph::maybe(parts.carried), body.kind->slices(body) ? parts.halves : parts.tiles);
+  return list;
+}
+
 /// Calculates effective mass and force (P 10): eliminates the joints from the tips to the roots,
 /// over which it sums in their order.
 template <class World>

@@ -78,6 +78,9 @@ void allocate(const std::vector<DenseBlocks>& elastic, SubsystemData<World>& dat
 template <class World>
 void invert_body(const BodyData<World>& data, const TwistOf<World>& twist, bool implicit,
                  BodyWork<World>& work) noexcept;
+/// Returns the parts that it depends on.
+template <class World>
+PartList parts_of_inverted(std::size_t j, const SubsystemData<World>& data);
 
 /// Calculates effective mass and force, (P 10).
 template <class World>

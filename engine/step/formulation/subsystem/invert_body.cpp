@@ -108,9 +108,21 @@ void invert_body(const BodyData<World>& data, const TwistOf<World>& twist, bool 
   work.products.noalias() = J.lazyProduct(columns);
 }
 
+template <class World>
+PartList parts_of_inverted(std::size_t j, const SubsystemData<World>& data) {
+  const BodyParts& parts = data.parts.bodies[j];
+  PartList list{parts.coordinates, data.parts.twists, parts.terms};
+  if constexpr (tree::kHasJointCoordinates<World>)
+    list.push_back(data.parts.rotations);  // for its handles
+  graph::add_to(list, graph::maybe(parts.tension), graph::maybe(parts.carried), parts.tiles);
+  return list;
+}
+
 template void allocate(const std::vector<DenseBlocks>&, SubsystemData<Plane>&,
                        SubsystemWork<Plane>&);
 template void invert_body(const BodyData<Plane>&, const Twist&, bool, BodyWork<Plane>&) noexcept;
+template PartList parts_of_inverted(std::size_t, const SubsystemData<Plane>&);
+template PartList parts_of_inverted(std::size_t, const SubsystemData<Space>&);
 template void allocate(const std::vector<DenseBlocks>&, SubsystemData<Space>&,
                        SubsystemWork<Space>&);
 template void invert_body(const BodyData<Space>&, const space::Twist&, bool,
