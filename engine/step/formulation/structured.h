@@ -89,4 +89,26 @@ template <class World>
 void recover_wrenches(const Subsystem<World>& subsystem, SubsystemWork<World>& work,
                       SubsystemData<World>& data) noexcept;
 
+/// Calculates the accelerations of a body (P 7): X into `data.X`, qf'' into the flex vector `a`.
+void recover_body(const SubsystemData<Plane>& subsystem, std::size_t j, const BodyWork<Plane>& work,
+                  bool implicit, BodyData<Plane>& data, double* a) noexcept;
+inline void recover_body(const SubsystemData<Space>&, std::size_t, const BodyWork<Space>& work,
+                         bool implicit, BodyData<Space>& data, double* a) noexcept {
+  data.kind->recover(work, implicit, data, a);
+}
+/// Return the parts that they depend on: of a solid in one slice its half solutions, too.
+inline PartList parts_of_recovered(std::size_t j, const SubsystemData<Plane>& data) {
+  const BodyParts& parts = data.parts.bodies[j];
+  PartList list{data.parts.wrenches, parts.inverse};
+  graph::add_to(list, graph::maybe(parts.tension));
+  return list;
+}
+inline PartList parts_of_recovered(std::size_t j, const SubsystemData<Space>& data) {
+  const BodyParts& parts = data.parts.bodies[j];
+  PartList list{data.parts.wrenches, data.parts.rotations, parts.inverse, parts.terms,
+                parts.scratch};
+  graph::add_to(list, graph::maybe(parts.tension), graph::maybe(parts.carried), parts.halves);
+  return list;
+}
+
 }  // namespace spoke::structured

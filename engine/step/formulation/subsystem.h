@@ -113,5 +113,10 @@ void recover_wrenches(const Subsystem<World>& subsystem, SubsystemWork<World>& w
 template <class World>
 void recover_body(const SubsystemData<World>& subsystem, std::size_t j, const BodyWork<World>& work,
                   BodyData<World>& data, double* a) noexcept;
+/// Returns the parts that they depend on.
+template <class World>
+PartList parts_of_recovered(std::size_t j, const SubsystemData<World>& data) {
+  return {data.parts.wrenches, data.parts.bodies[j].inverse};
+}
 
 }  // namespace spoke::subsystem
