@@ -254,6 +254,15 @@ void complete_hub(const System<World>& system, const Method& method,
 }
 
 template <class World>
+PartList parts_of_completed_hub(const System<World>& system, const Method& method,
+                                const StepData<World>& data) {
+  PartList list{data.parts.hub_state, data.parts.hub_coordinates};
+  if (std::holds_alternative<GeneralizedAlpha>(method) && !is_prescribed(system))
+    list.push_back(data.parts.hub_history);
+  return list;
+}
+
+template <class World>
 void finish_subsystem(const typename World::Hub& hub, const Integrator& integrator,
                       const Window& window, SubsystemData<World>& subsystem) noexcept {
   StepProgress& progress = *subsystem.progress;
@@ -368,12 +377,16 @@ std::int64_t last_complete_step(const StepTable& data) noexcept {
 
 template void complete_body(const Method&, const PassControl&, BodyData<Plane>&) noexcept;
 template void complete_hub(const System<Plane>&, const Method&, StepData<Plane>&) noexcept;
+template PartList parts_of_completed_hub(const System<Plane>&, const Method&,
+                                         const StepData<Plane>&);
 template void finish_subsystem(const Hub&, const Integrator&, const Window&,
                                SubsystemData<Plane>&) noexcept;
 template void finish_system(const System<Plane>&, const Integrator&, StepData<Plane>&) noexcept;
 template void record_reactions(const System<Plane>&, const Integrator&, StepData<Plane>&) noexcept;
 template void complete_body(const Method&, const PassControl&, BodyData<Space>&) noexcept;
 template void complete_hub(const System<Space>&, const Method&, StepData<Space>&) noexcept;
+template PartList parts_of_completed_hub(const System<Space>&, const Method&,
+                                         const StepData<Space>&);
 template void finish_subsystem(const space::Hub&, const Integrator&, const Window&,
                                SubsystemData<Space>&) noexcept;
 template void finish_system(const System<Space>&, const Integrator&, StepData<Space>&) noexcept;

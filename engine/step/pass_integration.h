@@ -33,6 +33,10 @@ void complete_body(const Method& method, const PassControl& control,
 template <class World>
 void complete_hub(const System<World>& system, const Method& method,
                   StepData<World>& data) noexcept;
+/// Returns the parts that this depends on besides the hub's acceleration.
+template <class World>
+PartList parts_of_completed_hub(const System<World>& system, const Method& method,
+                                const StepData<World>& data);
 
 /// Ends the pass of a subsystem with its own progress, in a system that is not coupled.
 template <class World>

@@ -34,13 +34,6 @@ PartList inverse_outputs(const Assembly<Space>& g, int i, int j) {
   return outputs;
 }
 
-/// Returns the parts that handing the hub's acceleration to the integrator reads.
-template <class World>
-PartList hub_inputs(const Assembly<World>& g) {
-  PartList inputs{g.parts().progress, g.parts().hub_state, g.parts().hub_coordinates};
-  if (corrects_hub(g)) inputs.push_back(g.parts().hub_history);
-  return inputs;
-}
 /// Returns the parts that solving for the hub's acceleration writes.
 template <class World>
 PartList hub_outputs(const Assembly<World>& g) {
@@ -162,13 +155,10 @@ void add_rotor_sum(const Assembly<World>& g, int r) {
 template <class World>
 void add_hub_solve(const Assembly<World>& g) {
   SystemContext<World>& c = g.c;
-  PartList effective;
-  for (std::size_t i = 0; i < g.c.data.subsystems.size(); ++i)
-    if (c.system.subsystems[i].rotor < 0)
-      effective.push_back(g.c.data.subsystems[i].parts.effective);
   g.builder.add_node(g.label(c.system.rotors.empty() ? stages::kHubSolve : stages::kSupportSolve),
-                     reads(effective, hub_inputs(g)), writes(hub_outputs(g)),
-                     unless_halted(c.data.progress[0], [&c]() noexcept {
+                     reads(g.parts().progress, parts_of_hub_solution(c.data),
+                           parts_of_completed_hub(c.system, c.integrator.method, c.data)),
+                     writes(hub_outputs(g)), unless_halted(c.data.progress[0], [&c]() noexcept {
                        solve_hub(c.system, c.data);
                        complete_hub(c.system, c.integrator.method, c.data);
                      }));
@@ -190,30 +180,9 @@ template <class World>
 void add_augmented_solve(const Assembly<World>& g) {
   SystemContext<World>& c = g.c;
   const SystemParts& parts = g.parts();
-  PartList tiles;
-  for (const SubsystemData<World>& data : c.data.subsystems)
-    for (const PartId tile : data.parts.tiles()) tiles.push_back(tile);
-  PartList outboard_joints;  // Jacobians depend on the deformation; inboard nodes stand fixed
-  PartList tensions;
-  for (const SubsystemData<World>& data : c.data.subsystems) {
-    const SubsystemParts& own = data.parts;
-    for (std::size_t j = 0; j + 1 < own.bodies.size(); ++j)
-      outboard_joints.push_back(own.bodies[j].coordinates);
-    for (const BodyParts& body : own.bodies) graph::add_to(tensions, graph::maybe(body.tension));
-  }
-  PartList carried;
-  for (const RotorParts& rotor : parts.rotors) carried.push_back(rotor.carried);
-  PartList loops;  // their places may be on any body
-  for (const SubsystemData<World>& data : c.data.subsystems) {
-    const SubsystemParts& own = data.parts;
-    if (own.loops.is_empty()) continue;
-    loops.push_back(own.loops.motion);
-    for (const BodyParts& body : own.bodies) loops.push_back(body.coordinates);
-  }
   g.builder.add_node(g.label(stages::kSolve),
-                     reads(loops, carried, all_of(g, &BodyParts::terms), tiles, outboard_joints,
-                           tensions, all_of(g, &SubsystemParts::rotations),
-                           all_of(g, &SubsystemParts::twists), hub_inputs(g)),
+                     reads(parts.progress, augmented::parts_of_solution(c.data),
+                           parts_of_completed_hub(c.system, c.integrator.method, c.data)),
                      writes(parts.augmented_solution, hub_outputs(g)),
                      unless_halted(c.data.progress[0], [&c]() noexcept {
                        augmented::solve(c.system, c.data, c.work.augmented);

@@ -83,6 +83,14 @@ void solve_hub(const System<World>& system, StepData<World>& data) noexcept {
 }
 
 template <class World>
+PartList parts_of_hub_solution(const StepData<World>& data) {
+  PartList list{data.parts.hub_state, data.parts.hub_coordinates};
+  for (const SubsystemData<World>& subsystem : data.subsystems)
+    if (subsystem.rotor < 0) list.push_back(subsystem.parts.effective);
+  return list;
+}
+
+template <class World>
 TwistOf<World> calc_reaction(const SubsystemData<World>& subsystem) noexcept {
   assert(subsystem.hub_acceleration);
   const EffectiveInertia<World>& effective = subsystem.effective;
@@ -99,6 +107,7 @@ template Twist calc_hub_force(const Hub&, const HubState<Plane>&,
                               const HubSolution<Plane>&) noexcept;
 template HubEquation<Plane> sum_hub_equation(const System<Plane>&, const StepData<Plane>&) noexcept;
 template void solve_hub(const System<Plane>&, StepData<Plane>&) noexcept;
+template PartList parts_of_hub_solution(const StepData<Plane>&);
 template Twist calc_reaction(const SubsystemData<Plane>&) noexcept;
 template space::Twist calc_hub_load(const System<Space>&, double, const HubState<Space>&) noexcept;
 template void set_applied(const System<Space>&, StepData<Space>&) noexcept;
@@ -106,6 +115,7 @@ template space::Twist calc_hub_force(const space::Hub&, const HubState<Space>&,
                                      const HubSolution<Space>&) noexcept;
 template HubEquation<Space> sum_hub_equation(const System<Space>&, const StepData<Space>&) noexcept;
 template void solve_hub(const System<Space>&, StepData<Space>&) noexcept;
+template PartList parts_of_hub_solution(const StepData<Space>&);
 template space::Twist calc_reaction(const SubsystemData<Space>&) noexcept;
 
 }  // namespace spoke

@@ -13,6 +13,9 @@ namespace spoke {
 /// translational unknown is a - g throughout the system. Subsystems are summed in their order.
 template <class World>
 void solve_hub(const System<World>& system, StepData<World>& data) noexcept;
+/// Returns the parts that its solution depends on.
+template <class World>
+PartList parts_of_hub_solution(const StepData<World>& data);
 
 /// Returns the wrench of the loads on the hub at time t [s], about its axis, hub frame [N, N m].
 template <class World>

@@ -236,6 +236,26 @@ void solve(const System<World>& system, StepData<World>& data, Work& work) noexc
 }
 
 template <class World>
+PartList parts_of_solution(const StepData<World>& data) {
+  PartList list{data.parts.hub_state, data.parts.hub_coordinates};
+  for (const RotorParts& rotor : data.parts.rotors) list.push_back(rotor.carried);
+  for (const SubsystemData<World>& subsystem : data.subsystems) {
+    const SubsystemParts& own = subsystem.parts;
+    graph::add_to(list, own.all(&BodyParts::terms), own.tiles(), own.rotations, own.twists);
+    for (const BodyParts& body : own.bodies) graph::add_to(list, graph::maybe(body.tension));
+    // Jacobians depend on the deformation; inboard nodes stand fixed, but places of loops may be on
+    // any body.
+    PartList coordinates = own.all(&BodyParts::coordinates);
+    if (own.loops.is_empty())
+      coordinates.pop_back();
+    else
+      list.push_back(own.loops.motion);
+    graph::add_to(list, coordinates);
+  }
+  return list;
+}
+
+template <class World>
 void recover_wrenches(int i, const Subsystem<World>& subsystem, const Work& work,
                       SubsystemData<World>& data) noexcept {
   assert(i >= 0 && std::cmp_less(i, work.first_joint.size()));
@@ -270,6 +290,7 @@ void recover_body(int subsystem, int body, const Work& work, BodyData<World>& da
 template void allocate(const System<Plane>&, std::vector<std::vector<subsystem::DenseBlocks>>,
                        StepData<Plane>&, Work&);
 template void solve(const System<Plane>&, StepData<Plane>&, Work&) noexcept;
+template PartList parts_of_solution(const StepData<Plane>&);
 template void recover_wrenches(int, const Subsystem<Plane>&, const Work&,
                                SubsystemData<Plane>&) noexcept;
 template void take_loop_forces(int, const Work&, SubsystemData<Plane>&) noexcept;
@@ -278,6 +299,7 @@ template void recover_body(int, int, const Work&, BodyData<Plane>&, double*) noe
 template void allocate(const System<Space>&, std::vector<std::vector<subsystem::DenseBlocks>>,
                        StepData<Space>&, Work&);
 template void solve(const System<Space>&, StepData<Space>&, Work&) noexcept;
+template PartList parts_of_solution(const StepData<Space>&);
 template void recover_wrenches(int, const Subsystem<Space>&, const Work&,
                                SubsystemData<Space>&) noexcept;
 template void recover_body(int, int, const Work&, BodyData<Space>&, double*) noexcept;

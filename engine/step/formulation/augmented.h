@@ -40,6 +40,9 @@ void allocate(const System<World>& system, std::vector<std::vector<subsystem::De
 /// Assembles and solves (P 4); writes the hub's solution and `work.solution`.
 template <class World>
 void solve(const System<World>& system, StepData<World>& data, Work& work) noexcept;
+/// Returns the parts that the solution depends on.
+template <class World>
+PartList parts_of_solution(const StepData<World>& data);
 
 /// Sets the wrenches on the handles of subsystem i, from the multipliers, and the accelerations of
 /// its joints' coordinates.
