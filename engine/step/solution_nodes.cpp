@@ -42,22 +42,6 @@ PartList hub_outputs(const Assembly<World>& g) {
   return outputs;
 }
 
-/// Returns the multi-ports that recovery needs, and in space the terms, forces of joints among
-/// them. The tips' ports are in the effective inertia already.
-template <class World>
-PartList inner_ports(const Assembly<World>& g, int i) {
-  const SubsystemParts& own = g.subsystem(i);
-  if constexpr (tree::kHasJointCoordinates<World>) {
-    PartList ports = own.ports();
-    for (const PartId terms : own.all(&BodyParts::terms)) ports.push_back(terms);
-    return ports;
-  } else {
-    PartList ports = own.all(&BodyParts::inverse);
-    ports.pop_back();
-    return ports;
-  }
-}
-
 /// Returns the accelerations of joints, which rk4 finds in their place at once.
 template <class World>
 PartList found_with_multipliers(const Assembly<World>& g, int i) {
@@ -196,13 +180,11 @@ void add_multipliers(const Assembly<World>& g, int i) {
   const SubsystemParts& own = g.subsystem(i);
   const Subsystem<World>& subsystem = c.system.subsystems[i];
   SubsystemData<World>& data = c.data.subsystems[i];
-  const PartList accelerations = found_with_multipliers(g, i);
-  PartList loops;
-  if (!own.loops.is_empty()) loops = {own.loops.motion, own.loops.factor};
-  const auto add = [&](const graph::Reads& inputs, auto recover) {
+  const auto add = [&](const PartList& inputs, auto recover) {
     const bool has_loops = !own.loops.is_empty();
     g.builder.add_node(
-        g.label(stages::kMultipliers, i), inputs, writes(own.wrenches, accelerations),
+        g.label(stages::kMultipliers, i), reads(own.progress, inputs, parts_of_loop_wrenches(data)),
+        updates(found_with_multipliers(g, i)), writes(own.wrenches),
         unless_halted(*data.progress, [recover, has_loops, &subsystem, &data]() noexcept {
           recover();
           if (has_loops) put_loop_wrenches(subsystem, data);
@@ -210,23 +192,20 @@ void add_multipliers(const Assembly<World>& g, int i) {
   };
   switch (c.formulation) {
     case Formulation::structured:
-      return add(reads(own.progress, own.effective, own.joints(), inner_ports(g, i), own.rotations,
-                       own.hub_state, own.hub_acceleration, accelerations, loops),
+      return add(structured::parts_of_wrenches(data),
                  [&subsystem, &data, &work = c.work.structured[i]]() noexcept {
                    structured::recover_wrenches(subsystem, work, data);
                  });
     case Formulation::subsystem:
-      return add(reads(own.progress, own.effective, own.rotations, own.hub_acceleration,
-                       accelerations, loops),
+      return add(subsystem::parts_of_wrenches(data),
                  [&subsystem, &data, &work = c.work.subsystem[i]]() noexcept {
                    subsystem::recover_wrenches(subsystem, work, data);
                  });
     case Formulation::augmented:
-      return add(
-          reads(own.progress, g.parts().augmented_solution, own.rotations, accelerations, loops),
-          [i, &subsystem, &data, &work = c.work.augmented]() noexcept {
-            augmented::recover_wrenches(i, subsystem, work, data);
-          });
+      return add(augmented::parts_of_wrenches(static_cast<std::size_t>(i), c.data),
+                 [i, &subsystem, &data, &work = c.work.augmented]() noexcept {
+                   augmented::recover_wrenches(i, subsystem, work, data);
+                 });
   }
 }
 

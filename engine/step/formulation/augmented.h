@@ -49,6 +49,11 @@ PartList parts_of_solution(const StepData<World>& data);
 template <class World>
 void recover_wrenches(int i, const Subsystem<World>& subsystem, const Work& work,
                       SubsystemData<World>& data) noexcept;
+/// Returns the parts that they depend on.
+template <class World>
+PartList parts_of_wrenches(std::size_t i, const StepData<World>& data) {
+  return {data.parts.augmented_solution, data.subsystems[i].parts.rotations};
+}
 
 /// Sets the multipliers of the loops of subsystem i.
 template <class World>

@@ -57,6 +57,12 @@ void calc_loop_forces(SubsystemData<World>& data) noexcept;
 /// Adds the forces of the loops to the wrenches on the handles of bodies, behind those of joints.
 template <class World>
 void put_loop_wrenches(const Subsystem<World>& subsystem, SubsystemData<World>& data) noexcept;
+/// Returns the parts that these depend on; none where there is no loop.
+template <class World>
+PartList parts_of_loop_wrenches(const SubsystemData<World>& data) {
+  const LoopParts& loops = data.parts.loops;
+  return loops.is_empty() ? PartList{} : PartList{loops.motion, loops.factor};
+}
 
 /// Sums what the loops did in the pass. `length`: of the model, by which openings are measured [m].
 template <class World>

@@ -88,6 +88,10 @@ void load_joints_by_loops(const SubsystemData<World>& data, SubsystemWork<World>
 template <class World>
 void recover_wrenches(const Subsystem<World>& subsystem, SubsystemWork<World>& work,
                       SubsystemData<World>& data) noexcept;
+/// Returns the parts that they depend on: of bodies the multi-ports, and in space the terms, forces
+/// of joints among them. Ports of planar tips are in the effective inertia already.
+template <class World>
+PartList parts_of_wrenches(const SubsystemData<World>& data);
 
 /// Calculates the accelerations of a body (P 7): X into `data.X`, qf'' into the flex vector `a`.
 void recover_body(const SubsystemData<Plane>& subsystem, std::size_t j, const BodyWork<Plane>& work,

@@ -108,6 +108,11 @@ void load_joints_by_loops(const Subsystem<World>& subsystem, const SubsystemData
 template <class World>
 void recover_wrenches(const Subsystem<World>& subsystem, SubsystemWork<World>& work,
                       SubsystemData<World>& data) noexcept;
+/// Returns the parts that they depend on.
+template <class World>
+PartList parts_of_wrenches(const SubsystemData<World>& data) {
+  return {data.parts.effective, data.parts.rotations, data.parts.hub_acceleration};
+}
 
 /// Calculates the accelerations of a body, (P 7).
 template <class World>

@@ -44,9 +44,26 @@ void recover_wrenches(const Subsystem<World>& subsystem, SubsystemWork<World>& w
   for (std::size_t j = 0; j < work.bodies.size(); ++j) recover_children(subsystem, j, work, data);
 }
 
+template <class World>
+PartList parts_of_wrenches(const SubsystemData<World>& data) {
+  const SubsystemParts& own = data.parts;
+  PartList list{own.effective, own.rotations, own.hub_state, own.hub_acceleration};
+  graph::add_to(list, own.joints());
+  if constexpr (tree::kHasJointCoordinates<World>) {
+    graph::add_to(list, own.ports(), own.all(&BodyParts::terms));
+  } else {
+    PartList ports = own.all(&BodyParts::inverse);
+    ports.pop_back();
+    graph::add_to(list, ports);
+  }
+  return list;
+}
+
 template void recover_wrenches(const Subsystem<Plane>&, SubsystemWork<Plane>&,
                                SubsystemData<Plane>&) noexcept;
 template void recover_wrenches(const Subsystem<Space>&, SubsystemWork<Space>&,
                                SubsystemData<Space>&) noexcept;
+template PartList parts_of_wrenches(const SubsystemData<Plane>&);
+template PartList parts_of_wrenches(const SubsystemData<Space>&);
 
 }  // namespace spoke::structured
