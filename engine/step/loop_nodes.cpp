@@ -104,21 +104,15 @@ void add_loop_motion(const Assembly<World>& g, int i) {
   const SubsystemParts& own = g.subsystem(i);
   if (own.loops.is_empty()) return;
   SystemContext<World>& c = g.c;
-  PartList inputs{own.progress, own.rotations, own.twists, own.hub_state};
-  const bool is_implicit = std::holds_alternative<GeneralizedAlpha>(c.integrator.method);
-  for (int j = 0; j <= c.data.subsystems[i].loops.last_body; ++j) {
-    // In space the handles' motions are with the rotations.
-    if (!tree::kHasJointCoordinates<World>) inputs.push_back(own.bodies[j].coordinates);
-    if (is_implicit) inputs.push_back(own.bodies[j].accelerations);
-  }
-  if (is_implicit && c.data.is_coupled) inputs.push_back(g.parts().hub_coordinates);
+  const bool has_implicit = std::holds_alternative<GeneralizedAlpha>(c.integrator.method);
+  const auto index = static_cast<std::size_t>(i);
   SubsystemData<World>& data = c.data.subsystems[i];
-  // Frames' accelerations are of implicit passes alone.
-  inputs.push_back(own.loops.motion);
-  g.builder.add_node(g.label(stages::kLoopMotion, i), reads(inputs), writes(own.loops.motion),
-                     unless_halted(*data.progress, [&c, &data, i]() noexcept {
+  g.builder.add_node(g.label(stages::kLoopMotion, i),
+                     reads(own.progress, parts_of_loop_motion(index, has_implicit, c.data)),
+                     updates(own.loops.motion),  // frames' accelerations are of implicit passes
+                     unless_halted(*data.progress, [&c, &data, index]() noexcept {
                        const PassControl& control = data.progress->control;
-                       calc_loop_motion(c.system, static_cast<std::size_t>(i), control.time,
+                       calc_loop_motion(c.system, index, control.time,
                                         gains_of(c.integrator.method, control), c.data);
                      }));
 }

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "engine/bodies/kernels/kinematics.h"
+#include "engine/bodies/tree/multi_port.h"
 
 namespace spoke {
 namespace {
@@ -163,6 +165,20 @@ void calc_loop_motion(const System<World>& system, std::size_t i, double t,
 }
 
 template <class World>
+PartList parts_of_loop_motion(std::size_t i, bool has_implicit, const StepData<World>& data) {
+  const SubsystemData<World>& subsystem = data.subsystems[i];
+  const SubsystemParts& own = subsystem.parts;
+  PartList list{own.rotations, own.twists, own.hub_state};
+  for (std::size_t j = 0; std::cmp_less_equal(j, subsystem.loops.last_body); ++j) {
+    // In space the handles' motions are with the rotations.
+    if constexpr (!tree::kHasJointCoordinates<World>) list.push_back(own.bodies[j].coordinates);
+    if (has_implicit) list.push_back(own.bodies[j].accelerations);
+  }
+  if (has_implicit && data.is_coupled) list.push_back(data.parts.hub_coordinates);
+  return list;
+}
+
+template <class World>
 void update_loops(const System<World>& system, std::size_t i, double t,
                   StepData<World>& table) noexcept {
   assert(i < table.subsystems.size());
@@ -186,12 +202,14 @@ template PlaceMotion calc_place_motion(const System<Plane>&, std::size_t, const 
                                        double, const StepData<Plane>&);
 template void calc_loop_motion(const System<Plane>&, std::size_t, double, const ClosureGains&,
                                StepData<Plane>&) noexcept;
+template PartList parts_of_loop_motion(std::size_t, bool, const StepData<Plane>&);
 template void update_loops(const System<Plane>&, std::size_t, double, StepData<Plane>&) noexcept;
 template double calc_closure_energy(const Subsystem<Plane>&, const LoopData<Plane>&) noexcept;
 template PlaceMotion calc_place_motion(const System<Space>&, std::size_t, const LoopPlaceModel&,
                                        double, const StepData<Space>&);
 template void calc_loop_motion(const System<Space>&, std::size_t, double, const ClosureGains&,
                                StepData<Space>&) noexcept;
+template PartList parts_of_loop_motion(std::size_t, bool, const StepData<Space>&);
 template void update_loops(const System<Space>&, std::size_t, double, StepData<Space>&) noexcept;
 template double calc_closure_energy(const Subsystem<Space>&, const LoopData<Space>&) noexcept;
 

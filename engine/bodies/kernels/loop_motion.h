@@ -65,6 +65,9 @@ PlaceMotion calc_place_motion(const System<World>& system, std::size_t i,
 template <class World>
 void calc_loop_motion(const System<World>& system, std::size_t i, double t,
                       const ClosureGains& gains, StepData<World>& data) noexcept;
+/// Returns the parts that they depend on; `has_implicit`: whether any pass is implicit.
+template <class World>
+PartList parts_of_loop_motion(std::size_t i, bool has_implicit, const StepData<World>& data);
 
 /// Sets them at the end of a step, if the subsystem has loops, by the coordinates in the table: the
 /// last pass of an implicit step leaves them one correction behind, see update_kinematics().
