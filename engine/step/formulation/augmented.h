@@ -58,6 +58,11 @@ PartList parts_of_wrenches(std::size_t i, const StepData<World>& data) {
 /// Sets the multipliers of the loops of subsystem i.
 template <class World>
 void take_loop_forces(int i, const Work& work, SubsystemData<World>& data) noexcept;
+/// Returns the parts that they depend on.
+template <class World>
+PartList parts_of_loop_forces(const StepData<World>& data) {
+  return {data.parts.augmented_solution};
+}
 
 /// Sets the accelerations of a body, from the solution.
 template <class World>

@@ -50,6 +50,13 @@ void keep_first_pivots(const StepProgress& progress, LoopData<World>& loops) {
 
 }  // namespace
 
+std::vector<int> bodies_of(const LoopModel& loop) {
+  std::vector<int> bodies{loop.from.body};
+  const bool has_other = loop.to.carrier == LoopPlace::Carrier::body;
+  if (has_other && loop.to.body != loop.from.body) bodies.push_back(loop.to.body);
+  return bodies;
+}
+
 template <class World>
 void factorise_loops(SubsystemData<World>& data) noexcept {
   LoopData<World>& loops = data.loops;

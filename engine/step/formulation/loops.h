@@ -10,6 +10,7 @@
 // `subsystem`; `augmented` has the rows in its one system.
 
 #include <string>
+#include <vector>
 
 #include "engine/bodies/table/step_data.h"
 
@@ -45,6 +46,9 @@ void for_places_on_bodies(const LoopModel& loop, const LoopRowState<World>& row,
   if (loop.to.carrier == LoopPlace::Carrier::body) visit(loop.to, row.to);
 }
 
+/// Returns the bodies that carry places of a loop, each once.
+std::vector<int> bodies_of(const LoopModel& loop);
+
 /// Factorises D, which `loops.matrix` holds (its lower triangle), and adds to effective mass and
 /// force.
 template <class World>
@@ -53,6 +57,12 @@ void factorise_loops(SubsystemData<World>& data) noexcept;
 /// Sets the multipliers of all rows, from the hub's acceleration.
 template <class World>
 void calc_loop_forces(SubsystemData<World>& data) noexcept;
+/// Returns the parts that they depend on besides the rows.
+template <class World>
+PartList parts_of_loop_forces(const SubsystemData<World>& data) {
+  const LoopParts& loops = data.parts.loops;
+  return {loops.factor, loops.first_pivots, data.parts.hub_acceleration};
+}
 
 /// Adds the forces of the loops to the wrenches on the handles of bodies, behind those of joints.
 template <class World>

@@ -73,15 +73,29 @@ void calc_effective_inertia(const Subsystem<World>& subsystem, SubsystemData<Wor
 template <class World>
 void calc_loop_columns(const Subsystem<World>& subsystem, std::size_t loop,
                        const SubsystemWork<World>& work, SubsystemData<World>& data) noexcept;
+/// Returns the parts that they depend on.
+template <class World>
+PartList parts_of_loop_columns(const Subsystem<World>& subsystem, std::size_t loop,
+                               const SubsystemData<World>& data);
 
 /// Fills D of the loops, from the columns of all.
 template <class World>
 void fill_loop_matrix(const Subsystem<World>& subsystem, const SubsystemWork<World>& work,
                       SubsystemData<World>& data) noexcept;
+/// Returns the parts that it depends on.
+template <class World>
+PartList parts_of_loop_matrix(const Subsystem<World>& subsystem, const SubsystemData<World>& data);
 
 /// Adds to the accelerations at joints and roots what the loops' forces make of them, for recovery.
 template <class World>
 void load_joints_by_loops(const SubsystemData<World>& data, SubsystemWork<World>& work) noexcept;
+/// Returns the parts that this depends on besides the forces.
+template <class World>
+PartList parts_of_loaded_joints(const SubsystemData<World>& data) {
+  PartList list = data.parts.loops.columns;
+  graph::add_to(list, data.parts.effective, data.parts.joints());
+  return list;
+}
 
 /// Calculates joint wrenches from the roots to the tips (P 8), from the hub's acceleration; by
 /// masses the bodies' accelerations as well, in `work`.

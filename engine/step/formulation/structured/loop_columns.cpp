@@ -267,6 +267,31 @@ void calc_loop_columns(const Subsystem<World>& subsystem, std::size_t loop,
   run_kernel([&]() noexcept { LoopEliminator<World>(subsystem, loop, work, data).eliminate(); });
 }
 
+namespace {
+
+/// Returns the part that has a body's response to wrenches on its handles.
+template <class World>
+graph::PartId response_of(const BodyParts& body) {
+  return tree::kHasJointCoordinates<World> ? body.port : body.inverse;
+}
+
+}  // namespace
+
+template <class World>
+PartList parts_of_loop_columns(const Subsystem<World>&, std::size_t loop,
+                               const SubsystemData<World>& data) {
+  const SubsystemParts& own = data.parts;
+  const LoopPath& path = data.loops.paths[loop];
+  PartList list{own.loops.motion, own.rotations, own.effective};
+  // The bias of a planar root depends on the hub's speed.
+  if constexpr (!tree::kHasJointCoordinates<World>) list.push_back(own.hub_state);
+  for (const int body : path.bodies)
+    list.push_back(response_of<World>(own.bodies[static_cast<std::size_t>(body)]));
+  for (const LoadedJoint& joint : path.joints)
+    list.push_back(own.bodies[static_cast<std::size_t>(joint.child)].joint);
+  return list;
+}
+
 template <class World>
 void fill_loop_matrix(const Subsystem<World>& subsystem, const SubsystemWork<World>& work,
                       SubsystemData<World>& data) noexcept {
@@ -276,6 +301,17 @@ void fill_loop_matrix(const Subsystem<World>& subsystem, const SubsystemWork<Wor
     for (std::size_t a = 0; a < subsystem.loops.size(); ++a)
       for (const int b : data.loops.meets[a]) coupling.couple(a, static_cast<std::size_t>(b));
   });
+}
+
+template <class World>
+PartList parts_of_loop_matrix(const Subsystem<World>& subsystem, const SubsystemData<World>& data) {
+  const SubsystemParts& own = data.parts;
+  PartList list{own.loops.motion, own.effective};
+  graph::add_to(list, own.loops.columns);
+  for (const LoopModel& loop : subsystem.loops)
+    for (const int body : bodies_of(loop))
+      list.push_back(response_of<World>(own.bodies[static_cast<std::size_t>(body)]));
+  return list;
 }
 
 namespace {
@@ -329,10 +365,16 @@ template void calc_loop_columns(const Subsystem<Plane>&, std::size_t, const Subs
 template void fill_loop_matrix(const Subsystem<Plane>&, const SubsystemWork<Plane>&,
                                SubsystemData<Plane>&) noexcept;
 template void load_joints_by_loops(const SubsystemData<Plane>&, SubsystemWork<Plane>&) noexcept;
+template PartList parts_of_loop_columns(const Subsystem<Plane>&, std::size_t,
+                                        const SubsystemData<Plane>&);
+template PartList parts_of_loop_matrix(const Subsystem<Plane>&, const SubsystemData<Plane>&);
 template void calc_loop_columns(const Subsystem<Space>&, std::size_t, const SubsystemWork<Space>&,
                                 SubsystemData<Space>&) noexcept;
 template void fill_loop_matrix(const Subsystem<Space>&, const SubsystemWork<Space>&,
                                SubsystemData<Space>&) noexcept;
 template void load_joints_by_loops(const SubsystemData<Space>&, SubsystemWork<Space>&) noexcept;
+template PartList parts_of_loop_columns(const Subsystem<Space>&, std::size_t,
+                                        const SubsystemData<Space>&);
+template PartList parts_of_loop_matrix(const Subsystem<Space>&, const SubsystemData<Space>&);
 
 }  // namespace spoke::structured

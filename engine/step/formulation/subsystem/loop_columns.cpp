@@ -83,6 +83,16 @@ void calc_loop_columns(const Subsystem<World>& subsystem, std::size_t loop,
 }
 
 template <class World>
+PartList parts_of_loop_columns(const Subsystem<World>& subsystem, std::size_t loop,
+                               const SubsystemData<World>& data) {
+  const SubsystemParts& own = data.parts;
+  PartList list{own.loops.motion, own.rotations, own.effective, own.workspace};
+  for (const int body : bodies_of(subsystem.loops[loop]))
+    list.push_back(own.bodies[static_cast<std::size_t>(body)].inverse);
+  return list;
+}
+
+template <class World>
 void fill_loop_matrix(const Subsystem<World>& subsystem, const SubsystemWork<World>& work,
                       SubsystemData<World>& data) noexcept {
   LoopData<World>& loops = data.loops;
@@ -106,6 +116,17 @@ void fill_loop_matrix(const Subsystem<World>& subsystem, const SubsystemWork<Wor
 }
 
 template <class World>
+PartList parts_of_loop_matrix(const Subsystem<World>& subsystem, const SubsystemData<World>& data) {
+  const SubsystemParts& own = data.parts;
+  PartList list{own.loops.motion, own.effective};
+  graph::add_to(list, own.loops.columns);
+  for (const LoopModel& loop : subsystem.loops)
+    for (const int body : bodies_of(loop))
+      list.push_back(own.bodies[static_cast<std::size_t>(body)].inverse);
+  return list;
+}
+
+template <class World>
 void load_joints_by_loops(const Subsystem<World>& subsystem, const SubsystemData<World>& data,
                           SubsystemWork<World>& work) noexcept {
   constexpr int d = World::kTwist;
@@ -124,12 +145,18 @@ template void calc_loop_columns(const Subsystem<Plane>&, std::size_t, SubsystemW
                                 SubsystemData<Plane>&) noexcept;
 template void fill_loop_matrix(const Subsystem<Plane>&, const SubsystemWork<Plane>&,
                                SubsystemData<Plane>&) noexcept;
+template PartList parts_of_loop_columns(const Subsystem<Plane>&, std::size_t,
+                                        const SubsystemData<Plane>&);
+template PartList parts_of_loop_matrix(const Subsystem<Plane>&, const SubsystemData<Plane>&);
 template void load_joints_by_loops(const Subsystem<Plane>&, const SubsystemData<Plane>&,
                                    SubsystemWork<Plane>&) noexcept;
 template void calc_loop_columns(const Subsystem<Space>&, std::size_t, SubsystemWork<Space>&,
                                 SubsystemData<Space>&) noexcept;
 template void fill_loop_matrix(const Subsystem<Space>&, const SubsystemWork<Space>&,
                                SubsystemData<Space>&) noexcept;
+template PartList parts_of_loop_columns(const Subsystem<Space>&, std::size_t,
+                                        const SubsystemData<Space>&);
+template PartList parts_of_loop_matrix(const Subsystem<Space>&, const SubsystemData<Space>&);
 template void load_joints_by_loops(const Subsystem<Space>&, const SubsystemData<Space>&,
                                    SubsystemWork<Space>&) noexcept;
 
