@@ -20,54 +20,6 @@ using graph::PartId;
 using graph::reads;
 using graph::updates;
 
-/// Returns the parts that keeping the loads of the joints reads.
-template <class World>
-PartList joint_load_inputs(const Assembly<World>& g, int i) {
-  const SubsystemParts& own = g.subsystem(i);
-  PartList inputs{own.wrenches, own.rotations};
-  if (!own.loops.is_empty())
-    for (const PartId part : {own.loops.motion, own.loops.factor}) inputs.push_back(part);
-  if (!g.c.system.subsystems[i].bodies.front().stiffening) return inputs;
-  inputs.push_back(own.hub_acceleration);
-  for (const PartId terms : own.all(&BodyParts::terms)) inputs.push_back(terms);
-  return inputs;
-}
-
-/// Returns the parts that the scenario's sensors read beyond the places, twists and loads of joints
-/// of the subsystem.
-PartList reading_inputs(const Assembly<Plane>& g, int i) {
-  PartList inputs;
-  const std::vector<Reading<Plane>>& readings = g.c.data.subsystems[i].readings;
-  const auto add = [&inputs](const PartList& list) { graph::add_to(inputs, list); };
-  for (const Reading<Plane>& reading : readings) {
-    const bool is_root = reading.body == 0 && reading.section.x == 0.0;
-    const bool is_load = reading.quantity == SensorQuantity::section_force && !is_root;
-    const bool is_accelerated = is_load || reading.quantity == SensorQuantity::acceleration;
-    const bool feels_hub = is_load || reading.frame == SensorFrame::inertial;
-    if (is_load) add(loads_on(static_cast<std::size_t>(i), reading.body, g.c.data));
-    if (!is_accelerated) continue;
-    for (int j = 0; j <= reading.body; ++j)
-      inputs.push_back(g.subsystem(i).bodies[static_cast<std::size_t>(j)].accelerations);
-    if (feels_hub && g.c.data.is_coupled) inputs.push_back(g.parts().hub_coordinates);
-  }
-  return inputs;
-}
-
-PartList reading_inputs(const Assembly<Space>& g, int i) {
-  PartList inputs;
-  const auto add = [&inputs](const PartList& list) { graph::add_to(inputs, list); };
-  for (const Reading<Space>& reading : g.c.data.subsystems[i].readings) {
-    const bool is_load = reading.quantity == SensorQuantity::section_force && !reading.is_root();
-    if (is_load) add(loads_on(static_cast<std::size_t>(i), reading.body(), g.c.data));
-    if (!is_load && !is_accelerated(reading)) continue;
-    for (const int j : reading.path)
-      inputs.push_back(g.subsystem(i).bodies[static_cast<std::size_t>(j)].accelerations);
-    if (g.c.data.is_coupled && g.c.system.subsystems[i].rotor < 0)
-      inputs.push_back(g.parts().hub_coordinates);
-  }
-  return inputs;
-}
-
 /// Adds the states of actors that the end of a step keeps: those reached, and those kept.
 template <class World>
 void list_states(const SubsystemData<World>& data, PartList& reached, PartList& kept) {
@@ -179,7 +131,8 @@ void add_sensors(const Assembly<World>& g, int i) {
   if (is_corrected) graph::add_to(outputs, inputs);
   g.builder.add_node(g.label(stages::kSensors, i),
                      reads(own.progress, own.all(&BodyParts::coordinates), own.hub_state, inputs,
-                           joint_load_inputs(g, i), reading_inputs(g, i), shown),
+                           parts_of_joint_loads(data), parts_of_loop_loads(data),
+                           parts_of_readings(static_cast<std::size_t>(i), table), shown),
                      updates(outputs), [&c, &table, &data, i, is_corrected]() noexcept {
                        const std::int64_t step = data.progress->completed;
                        if (step < 0) return;

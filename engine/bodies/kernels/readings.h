@@ -13,5 +13,9 @@ void calc_readings(const System<Plane>& system, std::size_t i, std::int64_t step
                    StepData<Plane>& data) noexcept;
 void calc_readings(const System<Space>& system, std::size_t i, std::int64_t step, double t,
                    StepData<Space>& data) noexcept;
+/// Return the parts that they depend on beyond these places, twists and loads, and what actors
+/// show.
+PartList parts_of_readings(std::size_t i, const StepData<Plane>& data);
+PartList parts_of_readings(std::size_t i, const StepData<Space>& data);
 
 }  // namespace spoke

@@ -40,8 +40,11 @@ void update_kinematics(const Subsystem<Space>& subsystem, SubsystemData<Space>& 
 /// in the axes of the root bracket; the last term is that of geometric stiffening on the hub's
 /// rotation, M_T that of the tension by applied forces and fields, summed over the bodies.
 void keep_joint_loads(const Subsystem<Plane>& subsystem, SubsystemData<Plane>& data) noexcept;
+/// Returns the parts that these loads depend on.
+PartList parts_of_joint_loads(const SubsystemData<Plane>& data);
 /// Spatial subsystems: data.root_load is the wrench of all bodies on the hub, about the first one's
 /// origin, in the hub's frame.
 void keep_joint_loads(const Subsystem<Space>& subsystem, SubsystemData<Space>& data) noexcept;
+PartList parts_of_joint_loads(const SubsystemData<Space>& data);
 
 }  // namespace spoke

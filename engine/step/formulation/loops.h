@@ -82,5 +82,11 @@ void report_loops(const Subsystem<World>& subsystem, double length,
 /// Keeps the multipliers of the last evaluation of a step.
 template <class World>
 void keep_loop_loads(SubsystemData<World>& data) noexcept;
+/// Returns the parts that they depend on; none where there is no loop.
+template <class World>
+PartList parts_of_loop_loads(const SubsystemData<World>& data) {
+  const LoopParts& loops = data.parts.loops;
+  return loops.is_empty() ? PartList{} : PartList{loops.factor};
+}
 
 }  // namespace spoke

@@ -59,13 +59,14 @@ Twist calc_motion(const System<Plane>& system, std::size_t i, const StepData<Pla
   return together(R * Position(m.p - start), m.angle);
 }
 
+bool is_at_root(const Reading<Plane>& asked) { return asked.body == 0 && asked.section.x == 0.0; }
+
 /// Returns a section's load, resolved. At the root it is the load that the hub feels.
 Twist calc_force(const System<Plane>& system, std::size_t i, const StepData<Plane>& data, double t,
                  const Reading<Plane>& asked) {
   const Subsystem<Plane>& subsystem = system.subsystems[i];
   const SubsystemData<Plane>& own = data.subsystems[i];
-  const bool is_root = asked.body == 0 && asked.section.x == 0.0;
-  if (is_root) {
+  if (is_at_root(asked)) {
     // The first section stands as the bracket does.
     if (asked.frame == SensorFrame::section || asked.frame == SensorFrame::blade)
       return own.root_load;
@@ -124,6 +125,22 @@ void calc_readings(const System<Plane>& system, std::size_t i, std::int64_t step
     double* values = readings_of(own, step) + asked.first;
     for (int c = 0; c < kTwist; ++c) values[c] = value[c];
   }
+}
+
+PartList parts_of_readings(std::size_t i, const StepData<Plane>& data) {
+  PartList list;
+  const SubsystemData<Plane>& own = data.subsystems[i];
+  for (const Reading<Plane>& asked : own.readings) {
+    const bool is_load = asked.quantity == SensorQuantity::section_force && !is_at_root(asked);
+    const bool is_accelerated = is_load || asked.quantity == SensorQuantity::acceleration;
+    const bool feels_hub = is_load || asked.frame == SensorFrame::inertial;
+    const auto body = static_cast<std::size_t>(asked.body);
+    if (is_load) graph::add_to(list, loads_on(i, body, data));
+    if (!is_accelerated) continue;
+    for (std::size_t j = 0; j <= body; ++j) list.push_back(own.parts.bodies[j].accelerations);
+    if (feels_hub && data.is_coupled) list.push_back(data.parts.hub_coordinates);
+  }
+  return list;
 }
 
 }  // namespace spoke

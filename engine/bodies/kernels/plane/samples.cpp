@@ -79,4 +79,12 @@ void keep_joint_loads(const Subsystem<Plane>& subsystem, SubsystemData<Plane>& d
                                2.0 * data.hub->twist[kRotation] * rate + moment;
 }
 
+PartList parts_of_joint_loads(const SubsystemData<Plane>& data) {
+  PartList list{data.parts.wrenches, data.parts.rotations};
+  if (data.bodies.front().model->stiffening)
+    graph::add_to(list, data.parts.hub_acceleration, data.parts.hub_state,
+                  data.parts.all(&BodyParts::terms));
+  return list;
+}
+
 }  // namespace spoke

@@ -160,4 +160,18 @@ void calc_readings(const System<Space>& system, std::size_t i, std::int64_t step
   }
 }
 
+PartList parts_of_readings(std::size_t i, const StepData<Space>& data) {
+  PartList list;
+  const SubsystemData<Space>& own = data.subsystems[i];
+  for (const Reading<Space>& asked : own.readings) {
+    const bool is_load = asked.quantity == SensorQuantity::section_force && !asked.is_root();
+    if (is_load) graph::add_to(list, loads_on(i, static_cast<std::size_t>(asked.body()), data));
+    if (!is_load && !is_accelerated(asked)) continue;
+    for (const int j : asked.path)
+      list.push_back(own.parts.bodies[static_cast<std::size_t>(j)].accelerations);
+    if (data.is_coupled && own.rotor < 0) list.push_back(data.parts.hub_coordinates);
+  }
+  return list;
+}
+
 }  // namespace spoke

@@ -97,4 +97,8 @@ void keep_joint_loads(const Subsystem<Space>& subsystem, SubsystemData<Space>& d
   }
 }
 
+PartList parts_of_joint_loads(const SubsystemData<Space>& data) {
+  return {data.parts.wrenches, data.parts.rotations};
+}
+
 }  // namespace spoke
