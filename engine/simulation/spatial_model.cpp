@@ -5,13 +5,11 @@
 #include <cassert>
 #include <utility>
 
+#include "engine/bodies/act/place_actors.h"
 #include "engine/bodies/kernels/kinematics.h"
 #include "engine/bodies/kernels/loop_motion.h"
 #include "engine/bodies/kernels/readings.h"
 #include "engine/bodies/kernels/samples.h"
-#include "engine/bodies/kernels/space/joint_values.h"
-#include "engine/bodies/kernels/space/supported_rotor.h"
-#include "engine/bodies/table/body_kind.h"
 #include "engine/simulation/views.h"
 #include "engine/support/memory.h"
 #include "models/error.h"
@@ -46,7 +44,8 @@ SpatialModel::SpatialModel(const Scenario& scenario, SystemContext<Space>& conte
 std::size_t SpatialModel::count_readings(const std::vector<Sensor>& asked) const {
   std::size_t values = spoke::count_readings(asked, scenario_.space->blades.size(), *trees_);
   for (const Subsystem<Space>& subsystem : context_.system.subsystems)
-    values += static_cast<std::size_t>(count_own_values(subsystem));
+    values +=
+        static_cast<std::size_t>(count_joint_values(subsystem)) + count_actor_values(subsystem);
   return values;
 }
 
@@ -57,8 +56,7 @@ double SpatialModel::reading_bytes() const {
 std::vector<SensorColumn> SpatialModel::place_sensors(const std::vector<Sensor>& asked) {
   std::vector<SubsystemData<Space>>& subsystems = context_.data.subsystems;
   for (std::size_t i = 0; i < subsystems.size(); ++i)
-    subsystems[i].reading_count =
-        static_cast<std::size_t>(count_own_values(context_.system.subsystems[i]));
+    subsystems[i].reading_count = count_own_values(context_.system, i, context_.data);
   std::vector<SensorColumn> columns = spoke::place_sensors(asked, scenario_.space->blades.size(),
                                                            *trees_, context_.system, context_.data);
   make_reading_rings(context_.data);
@@ -67,7 +65,7 @@ std::vector<SensorColumn> SpatialModel::place_sensors(const std::vector<Sensor>&
 
 SpatialSensors SpatialModel::make_sensors(std::vector<SensorColumn> asked,
                                           std::vector<SensorColumn> momentum) const {
-  return {context_.system, *trees_, std::move(asked), std::move(momentum)};
+  return {context_.system, *trees_, context_.data, std::move(asked), std::move(momentum)};
 }
 
 void SpatialModel::start(SpatialSensors& sensors) {
@@ -84,7 +82,7 @@ void SpatialModel::sample(std::int64_t step, double t) {
     update_kinematics(subsystem, data);
     update_loops(context_.system, i, t, context_.data);
     sample_subsystem(context_.system, i, step, context_.data);
-    keep_own_values(step, t, data);
+    keep_own_values(i, step, t, context_.data);
     if (!data.readings.empty()) calc_readings(context_.system, i, step, t, context_.data);
   }
 }

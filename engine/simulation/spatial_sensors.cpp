@@ -5,10 +5,8 @@
 #include <array>
 #include <utility>
 
-#include "engine/bodies/air/rotor_coefficients.h"
 #include "engine/bodies/columns/spatial_columns.h"
 #include "engine/bodies/kernels/hub_motion.h"
-#include "engine/bodies/kernels/space/joint_values.h"
 #include "models/tree/sensor_place.h"
 
 namespace spoke {
@@ -32,7 +30,8 @@ Energies calc_hub_energies(const System<Space>& system, const SystemRecord<Space
 }  // namespace
 
 SpatialSensors::SpatialSensors(const System<Space>& system, const std::vector<spatial::Tree>& trees,
-                               std::vector<SensorColumn> asked, std::vector<SensorColumn> momentum)
+                               const StepData<Space>& data, std::vector<SensorColumn> asked,
+                               std::vector<SensorColumn> momentum)
     : asked_(std::move(asked)), momentum_(system, std::move(momentum)) {
   for (const spatial::Tree& tree : trees)
     for (const char* axis : {"x", "y", "z"}) add(sensor_name_of(tree) + ".tip." + axis, "m");
@@ -52,9 +51,9 @@ SpatialSensors::SpatialSensors(const System<Space>& system, const std::vector<sp
     for (const char* axis : {"x", "y", "z"}) add(name + ".root.moment." + axis, "N m");
     add_joints(tree);
   }
-  add_control_columns(system);
+  add_actors(ColumnPlace::behind_joints, data);
   if (momentum_.are_there()) add_momentum_columns();
-  if (system.wind) add_air_columns();
+  add_actors(ColumnPlace::last, data);
   for (const SensorColumn& column : asked_) add(column.name, column.unit);
 }
 
@@ -68,45 +67,21 @@ void SpatialSensors::add_joints(const spatial::Tree& tree) {
   joint_values_.push_back(names.size());
 }
 
-void SpatialSensors::add_air_columns() {
-  add("air.wind", "m/s");
-  add("air.thrust", "N");
-  add("air.torque", "N m");
-  add("air.power", "W");
-  add("air.thrust_coefficient", "");
-  add("air.power_coefficient", "");
+void SpatialSensors::add_actors(ColumnPlace place, const StepData<Space>& data) {
+  for (const auto& actor : data.actors)
+    for (ActorColumn& column : actor->columns(place))
+      add(std::move(column.name), std::move(column.unit));
 }
 
-void SpatialSensors::append_air(const System<Space>& system, std::int64_t step,
-                                const StepData<Space>& data) {
-  const SystemRecord<Space>& record = of_step(data.records, step);
-  const double speed =
-      system.rotors.empty() ? record.velocity[Space::kAxial] : record.rotor.velocity[Space::kAxial];
-  double wind = 0.0;
-  air::RotorLoads rotor{0.0, 0.0, speed, 0.0, 0.0};
-  for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
-    const BladeAirModel* model = system.subsystems[i].air.get();
-    if (!model) continue;
-    const AirSum& own = of_step(data.subsystems[i].samples, step).air;
-    rotor.thrust += own.thrust;
-    rotor.torque += own.torque;
-    wind = own.wind;
-    rotor.radius = model->tip_radius;
-    rotor.density = model->air->density;
+void SpatialSensors::append_actors(ColumnPlace place, std::int64_t step,
+                                   const StepData<Space>& data) {
+  kept_.clear();
+  for (std::size_t i = 0; i < data.subsystems.size(); ++i)
+    kept_.push_back(readings_of(data.subsystems[i], step) + joint_values_[i]);
+  for (const auto& actor : data.actors) {
+    actor->append_values(place, step, kept_, values_);
+    for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] += actor->count_values(i);
   }
-  const air::RotorCoefficients coefficients = calc_wind_coefficients(rotor, wind);
-  for (const double value : {wind, rotor.thrust, rotor.torque, rotor.torque * speed,
-                             coefficients.thrust, coefficients.power})
-    values_.push_back(value);
-}
-
-void SpatialSensors::add_control_columns(const System<Space>& system) {
-  for (std::size_t i = 0; i < system.subsystems.size() && !controlled_; ++i)
-    if (!system.subsystems[i].controls.empty()) controlled_ = i;
-  if (!controlled_) return;
-  add("control.pitch.demand", "rad");
-  add("control.pitch.angle", "rad");
-  add("control.pitch.rate", "rad/s");
 }
 
 void SpatialSensors::start(const System<Space>& system, const StepData<Space>& data) {
@@ -149,16 +124,12 @@ const std::vector<double>& SpatialSensors::measure(const System<Space>& system,
     const double* joints = readings_of(data.subsystems[i], step);
     values_.insert(values_.end(), joints, joints + joint_values_[i]);
   }
-  if (controlled_) {
-    const double* control =
-        readings_of(data.subsystems[*controlled_], step) + joint_values_[*controlled_];
-    values_.insert(values_.end(), control, control + kControlValues);
-  }
+  append_actors(ColumnPlace::behind_joints, step, data);
   if (momentum_.are_there()) {
     momentum_.measure(system, energies.kinetic, step, data);
     append_momentum(momentum_.balance());
   }
-  if (system.wind) append_air(system, step, data);
+  append_actors(ColumnPlace::last, step, data);
   for (const SensorColumn& column : asked_)
     values_.push_back(value_of(column, system.hub, step, data));
   return values_;

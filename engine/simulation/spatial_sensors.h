@@ -2,7 +2,6 @@
 
 // The sensors of a simulation in space: names, units and values.
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,10 +16,12 @@ namespace spoke {
 /// Names, units and values of the sensors of a system in space (docs/results.md).
 class SpatialSensors : public SensorValues {
  public:
-  /// `asked`: columns of the scenario, behind those that every simulation has. `momentum`: columns
-  /// of a free model, see MomentumSensors.
+  /// `data`: the table with the actors whose columns it has. `asked`: columns of the scenario,
+  /// behind those that every simulation has. `momentum`: columns of a free model, see
+  /// MomentumSensors.
   SpatialSensors(const System<Space>& system, const std::vector<spatial::Tree>& trees,
-                 std::vector<SensorColumn> asked, std::vector<SensorColumn> momentum = {});
+                 const StepData<Space>& data, std::vector<SensorColumn> asked,
+                 std::vector<SensorColumn> momentum = {});
 
   /// Returns the balance of a free model on which nothing acts at the step measured last; else
   /// null.
@@ -36,14 +37,13 @@ class SpatialSensors : public SensorValues {
 
  private:
   void add_joints(const spatial::Tree& tree);
-  void add_air_columns();
-  void append_air(const System<Space>& system, std::int64_t step, const StepData<Space>& data);
-  void add_control_columns(const System<Space>& system);
+  void add_actors(ColumnPlace place, const StepData<Space>& data);
+  void append_actors(ColumnPlace place, std::int64_t step, const StepData<Space>& data);
 
   std::vector<SensorColumn> asked_;
   MomentumSensors<Space> momentum_;
   std::vector<std::size_t> joint_values_;  ///< of the joints, by subsystem
-  std::optional<std::size_t> controlled_;  ///< subsystem that shows the pitch controller's values
+  std::vector<const double*> kept_;        ///< by subsystem, what the actor at hand has kept
 };
 
 }  // namespace spoke

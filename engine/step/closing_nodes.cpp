@@ -45,7 +45,7 @@ void keep_readings(const SystemContext<Space>& c, std::size_t i, std::int64_t st
                    StepData<Space>& table) {
   SubsystemData<Space>& own = table.subsystems[i];
   const double t = static_cast<double>(step) * step_size(c.integrator);
-  if (own.reading_count > 0) keep_own_values(step, t, own);
+  if (own.reading_count > 0) keep_own_values(i, step, t, table);
   if (!own.readings.empty()) calc_readings(c.system, i, step, t, table);
 }
 

@@ -17,6 +17,10 @@ void place(const System<Space>& system, StepData<Space>& data) {
 
 }  // namespace
 
+std::size_t count_actor_values(const Subsystem<Space>& subsystem) {
+  return AirOnBlades::count_values(subsystem) + PitchControllers::count_values(subsystem);
+}
+
 void place_actors(const System<Plane>&, StepData<Plane>&) {}
 
 void place_actors(const System<Space>& system, StepData<Space>& data) {

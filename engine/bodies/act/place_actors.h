@@ -11,4 +11,7 @@ namespace spoke {
 void place_actors(const System<Plane>& system, StepData<Plane>& data);
 void place_actors(const System<Space>& system, StepData<Space>& data);
 
+/// Counts the values of sensors that they will keep of a subsystem in each step.
+std::size_t count_actor_values(const Subsystem<Space>& subsystem);
+
 }  // namespace spoke

@@ -20,14 +20,12 @@ SubsystemSample<Plane> calc_sample(const System<Plane>& system, std::size_t i,
 SubsystemSample<Space> calc_sample(const System<Space>& system, std::size_t i,
                                    SubsystemData<Space>& data) noexcept;
 
-/// Keeps the sample of subsystem `i` at the end of a step, with what actors show of it.
+/// Keeps the sample of subsystem `i` at the end of a step.
 template <class World>
 void sample_subsystem(const System<World>& system, std::size_t i, std::int64_t step,
                       StepData<World>& data) noexcept {
   SubsystemData<World>& own = data.subsystems[i];
-  SubsystemSample<World>& sample = of_step(own.samples, step);
-  sample = calc_sample(system, i, own);
-  for (const auto& actor : data.actors) actor->sample(i, sample);
+  of_step(own.samples, step) = calc_sample(system, i, own);
 }
 
 /// Sets rotations and twists of a subsystem at the state in the table.

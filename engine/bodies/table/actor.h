@@ -9,10 +9,14 @@
 // subsystems, declares its parts (parts.h), lists its wrenches with the bodies that they act on
 // (BodyData::applied), its delayed states with the subsystem (add_states()), and what else saved
 // states must hold (SubsystemData::saved). In a step its nodes run; its other functions are called
-// between steps or while a graph is built, but for sample() and read(), which the node "sensors"
-// calls.
+// between steps or while a graph is built, but for keep_values() and read(), which the node
+// "sensors" calls.
 
+#include <cstdint>
 #include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "engine/bodies/table/pass_nodes.h"
 #include "engine/bodies/table/stage.h"
@@ -22,8 +26,18 @@ namespace spoke {
 
 template <class World>
 struct Reading;
-template <class World>
-struct SubsystemSample;
+
+/// Places among the columns of a model in space where those of actors stand.
+enum class ColumnPlace {
+  behind_joints,  ///< behind the joints and loads of the roots
+  last,           ///< behind all but the sensors of the scenario's
+};
+
+/// A column of sensors.csv.
+struct ActorColumn {
+  std::string name;
+  std::string unit;
+};
 
 /// Places in a pass where actors add nodes.
 enum class PassPlace {
@@ -44,14 +58,26 @@ class Actor {
   virtual void list_parts_on(int /*i*/, int /*j*/, PartList&) const {}
   /// Adds the parts that prescribed joints of subsystem `i` follow.
   virtual void list_courses(int /*i*/, PartList&) const {}
-  /// Adds the parts from which sample() and read() show values of subsystem `i`.
+  /// Adds the parts from which keep_values() and read() show values of subsystem `i`.
   virtual void list_shown(int /*i*/, PartList&) const {}
 
   /// Sets the states that it reaches on subsystem `i` a time `elapsed` [s] behind those that are
   /// kept, at the motion in the table.
   virtual void advance(std::size_t /*i*/, double /*elapsed*/) noexcept {}
-  /// Adds what the sensors show of it on subsystem `i`, by its last evaluation.
-  virtual void sample(std::size_t /*i*/, SubsystemSample<World>&) const noexcept {}
+
+  // What the sensors of a model in space show of it. Subsystems may be at different steps: each
+  // keeps its values of a step in its ring, and columns are made of these when all are there.
+  /// Counts the values of subsystem `i` that are kept in each step.
+  virtual std::size_t count_values(std::size_t /*i*/) const { return 0; }
+  /// Writes these at the end of a step at time `t` [s], by its last evaluation.
+  virtual void keep_values(std::size_t /*i*/, double /*t*/, double* /*into*/) const noexcept {}
+  /// Returns its columns at a place.
+  virtual std::vector<ActorColumn> columns(ColumnPlace) const { return {}; }
+  /// Adds the values of these columns at the end of step `step`, whose records are in the table.
+  /// `kept`: by subsystem, the values kept in that step.
+  virtual void append_values(ColumnPlace, std::int64_t /*step*/,
+                             std::span<const double* const> /*kept*/,
+                             std::vector<double>& /*values*/) const {}
   /// Returns the value of a sensor of the scenario's, by its last evaluation; none: the quantity is
   /// no one of this actor's.
   virtual std::optional<TwistOf<World>> read(std::size_t /*i*/,

@@ -58,11 +58,4 @@ struct PlacedLoad<Space, BodyLoad<Space>> {
   std::vector<space::Section> places;
 };
 
-/// What air does to the hub of a rotor. Part of the table: doubles only.
-struct AirSum {
-  double thrust = 0.0;  ///< along the axis [N]
-  double torque = 0.0;  ///< about the axis [N m]
-  double wind = 0.0;    ///< wind at the hub against it, along the axis [m/s]
-};
-
 }  // namespace spoke

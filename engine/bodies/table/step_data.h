@@ -84,7 +84,6 @@ struct SubsystemSample {
   /// of loads.
   double gravity = 0.0;
   TwistOf<World> root = TwistOf<World>::Zero();  ///< see SubsystemData::root_load
-  AirSum air;
 };
 
 /// Work and reaction of a subsystem, or of a coupled system, in a step.

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "engine/bodies/act/marker_parts.h"
+#include "engine/bodies/air/rotor_coefficients.h"
 #include "engine/bodies/kernels/kinematics.h"
 #include "engine/bodies/kernels/marker_motion.h"
 #include "engine/bodies/table/body_kind.h"
@@ -127,8 +128,53 @@ void AirOnBlades::advance(std::size_t i, double elapsed) noexcept {
   if (blades_[i]) evaluate(i, 0.0, elapsed, false);
 }
 
-void AirOnBlades::sample(std::size_t i, SubsystemSample<Space>& sample) const noexcept {
-  if (blades_[i]) sample.air = blades_[i]->sum;
+std::size_t AirOnBlades::count_values(const Subsystem<Space>& subsystem) {
+  return subsystem.air ? sizeof(AirSum) / sizeof(double) : 0;
+}
+
+std::size_t AirOnBlades::count_values(std::size_t i) const {
+  return count_values(system_.subsystems[i]);
+}
+
+void AirOnBlades::keep_values(std::size_t i, double /*t*/, double* into) const noexcept {
+  if (!blades_[i]) return;
+  const std::span<double> sum = doubles(blades_[i]->sum);
+  std::copy(sum.begin(), sum.end(), into);
+}
+
+std::vector<ActorColumn> AirOnBlades::columns(ColumnPlace place) const {
+  if (place != ColumnPlace::last) return {};
+  return {{"air.wind", "m/s"},
+          {"air.thrust", "N"},
+          {"air.torque", "N m"},
+          {"air.power", "W"},
+          {"air.thrust_coefficient", ""},
+          {"air.power_coefficient", ""}};
+}
+
+void AirOnBlades::append_values(ColumnPlace place, std::int64_t step,
+                                std::span<const double* const> kept,
+                                std::vector<double>& values) const {
+  if (place != ColumnPlace::last) return;
+  const SystemRecord<Space>& record = of_step(data_.records, step);
+  const double speed = system_.rotors.empty() ? record.velocity[Space::kAxial]
+                                              : record.rotor.velocity[Space::kAxial];
+  double wind = 0.0;
+  air::RotorLoads rotor{0.0, 0.0, speed, 0.0, 0.0};
+  for (std::size_t i = 0; i < blades_.size(); ++i) {
+    const BladeAirModel* model = system_.subsystems[i].air.get();
+    if (!model) continue;
+    AirSum own;
+    std::copy_n(kept[i], count_values(i), doubles(own).begin());
+    rotor.thrust += own.thrust;
+    rotor.torque += own.torque;
+    wind = own.wind;
+    rotor.radius = model->tip_radius;
+    rotor.density = model->air->density;
+  }
+  const air::RotorCoefficients coefficients = calc_wind_coefficients(rotor, wind);
+  values.insert(values.end(), {wind, rotor.thrust, rotor.torque, rotor.torque * speed,
+                               coefficients.thrust, coefficients.power});
 }
 
 std::optional<space::Twist> AirOnBlades::read(std::size_t i,

@@ -11,6 +11,13 @@
 
 namespace spoke {
 
+/// What air does to the hub of a rotor. Part of the table: doubles only.
+struct AirSum {
+  double thrust = 0.0;  ///< along the axis [N]
+  double torque = 0.0;  ///< about the axis [N m]
+  double wind = 0.0;    ///< wind at the hub against it, along the axis [m/s]
+};
+
 /// Air on a blade: its markers are the stations.
 struct AirData {
   std::shared_ptr<const air::BladeAir> blade;
@@ -34,6 +41,7 @@ class AirOnBlades final : public Actor<Space> {
   AirOnBlades(const System<Space>& system, StepData<Space>& data);
 
   static bool acts(const System<Space>& system);
+  static std::size_t count_values(const Subsystem<Space>& subsystem);
   /// Returns what it has of subsystem `i`; null: no air acts there.
   const AirData* on(std::size_t i) const { return blades_[i].get(); }
 
@@ -42,7 +50,12 @@ class AirOnBlades final : public Actor<Space> {
   void list_parts_on(int i, int j, PartList& parts) const override;
   void list_shown(int i, PartList& parts) const override;
   void advance(std::size_t i, double elapsed) noexcept override;
-  void sample(std::size_t i, SubsystemSample<Space>& sample) const noexcept override;
+  std::size_t count_values(std::size_t i) const override;
+  void keep_values(std::size_t i, double t, double* into) const noexcept override;
+  std::vector<ActorColumn> columns(ColumnPlace place) const override;
+  /// Sums over the blades.
+  void append_values(ColumnPlace place, std::int64_t step, std::span<const double* const> kept,
+                     std::vector<double>& values) const override;
   /// Linear between stations.
   std::optional<space::Twist> read(std::size_t i,
                                    const Reading<Space>& asked) const noexcept override;

@@ -31,6 +31,31 @@ void PitchControllers::list_courses(int i, PartList& parts) const {
   graph::add_to(parts, graph::maybe(parts_[static_cast<std::size_t>(i)]));
 }
 
+void PitchControllers::keep_values(std::size_t i, double t, double* into) const noexcept {
+  for (const ControlState& control : data_.subsystems[i].controls) {
+    const space::PrescribedMotion pitch = follow(control, t);
+    for (const double value : {control.demands.back(), pitch.value, pitch.rate}) *into++ = value;
+  }
+}
+
+std::vector<ActorColumn> PitchControllers::columns(ColumnPlace place) const {
+  if (place != ColumnPlace::behind_joints) return {};
+  return {{"control.pitch.demand", "rad"},
+          {"control.pitch.angle", "rad"},
+          {"control.pitch.rate", "rad/s"}};
+}
+
+void PitchControllers::append_values(ColumnPlace place, std::int64_t /*step*/,
+                                     std::span<const double* const> kept,
+                                     std::vector<double>& values) const {
+  if (place != ColumnPlace::behind_joints) return;
+  const auto shown =
+      std::find_if(system_.subsystems.begin(), system_.subsystems.end(),
+                   [](const Subsystem<Space>& subsystem) { return !subsystem.controls.empty(); });
+  const double* const first = kept[static_cast<std::size_t>(shown - system_.subsystems.begin())];
+  values.insert(values.end(), first, first + kValues);
+}
+
 /// Returns the part in which the speed of a hub is that a drive does not prescribe.
 PartList PitchControllers::speed_inputs(int i) const {
   const int r = system_.subsystems[static_cast<std::size_t>(i)].rotor;

@@ -15,6 +15,9 @@ class PitchControllers final : public Actor<Space> {
   PitchControllers(const System<Space>& system, StepData<Space>& data);
 
   static bool acts(const System<Space>& system);
+  static std::size_t count_values(const Subsystem<Space>& subsystem) {
+    return kValues * subsystem.controls.size();
+  }
 
   Stage stage() const override { return {"control", StageRole::given}; }
   /// In the first pass of a step the node reads the speed of the hub as the last step has left it:
@@ -23,7 +26,19 @@ class PitchControllers final : public Actor<Space> {
   void list_courses(int i, PartList& parts) const override;
   void list_shown(int i, PartList& parts) const override { list_courses(i, parts); }
 
+  std::size_t count_values(std::size_t i) const override {
+    return count_values(system_.subsystems[i]);
+  }
+  void keep_values(std::size_t i, double t, double* into) const noexcept override;
+  std::vector<ActorColumn> columns(ColumnPlace place) const override;
+  /// Those of the first controller of the first subsystem that has one: all are equal.
+  void append_values(ColumnPlace place, std::int64_t step, std::span<const double* const> kept,
+                     std::vector<double>& values) const override;
+
  private:
+  /// Values of a controller, in the order of its columns: demand [rad], angle [rad], rate [rad/s].
+  static constexpr std::size_t kValues = 3;
+
   PartList speed_inputs(int i) const;
   double hub_speed(std::size_t i, double t) const;
   void take_samples(std::size_t i, double h) const noexcept;

@@ -1,11 +1,10 @@
-// Reads coordinates, prescribed motions and orientations of joints, and states of controllers.
+// Reads coordinates, prescribed motions and orientations of joints, and asks actors.
 
 #include "engine/bodies/kernels/space/joint_values.h"
 
 #include <algorithm>
 #include <cassert>
 
-#include "engine/bodies/kernels/pitch_control.h"
 #include "engine/bodies/kernels/space/table_terms.h"
 
 namespace spoke {
@@ -40,18 +39,21 @@ int count_joint_values(const Subsystem<Space>& subsystem) {
   return count;
 }
 
-int count_own_values(const Subsystem<Space>& subsystem) {
-  return count_joint_values(subsystem) +
-         kControlValues * static_cast<int>(subsystem.controls.size());
+std::size_t count_own_values(const System<Space>& system, std::size_t i,
+                             const StepData<Space>& data) {
+  auto count = static_cast<std::size_t>(count_joint_values(system.subsystems[i]));
+  for (const auto& actor : data.actors) count += actor->count_values(i);
+  return count;
 }
 
-void keep_own_values(std::int64_t step, double t, SubsystemData<Space>& data) noexcept {
-  assert(step >= 0);
-  double* into = readings_of(data, step);
-  for (const BodyData<Space>& body : data.bodies) into = write_values(body, into);
-  for (const ControlState& control : data.controls) {
-    const space::PrescribedMotion pitch = follow(control, t);
-    for (const double value : {control.demands.back(), pitch.value, pitch.rate}) *into++ = value;
+void keep_own_values(std::size_t i, std::int64_t step, double t, StepData<Space>& data) noexcept {
+  assert(i < data.subsystems.size() && step >= 0);
+  SubsystemData<Space>& own = data.subsystems[i];
+  double* into = readings_of(own, step);
+  for (const BodyData<Space>& body : own.bodies) into = write_values(body, into);
+  for (const auto& actor : data.actors) {
+    actor->keep_values(i, t, into);
+    into += actor->count_values(i);
   }
 }
 

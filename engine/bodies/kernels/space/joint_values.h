@@ -1,6 +1,7 @@
 #pragma once
 
-// Values of the joints and controllers of a subsystem in space, as sensors and results show them.
+// Values of the joints of a subsystem in space and of actors on it, as sensors and results show
+// them.
 
 #include "engine/bodies/table/step_data.h"
 
@@ -10,14 +11,11 @@ namespace spoke {
 /// primitives in their order, a spherical one's as a rotation vector.
 int count_joint_values(const Subsystem<Space>& subsystem);
 
-/// Values of a controller, in the order of its columns: demand [rad], angle [rad], rate [rad/s].
-inline constexpr int kControlValues = 3;
-
-/// Counts the values of a subsystem's joints, and of its controllers behind them.
-int count_own_values(const Subsystem<Space>& subsystem);
-
-/// Keeps these values at the end of step `step`, at time t [s], in the ring. Prescribed motions
-/// must have been set.
-void keep_own_values(std::int64_t step, double t, SubsystemData<Space>& data) noexcept;
+/// Keeps these values of subsystem `i` at the end of step `step`, at time t [s], in its ring, and
+/// behind them what actors keep. Prescribed motions must have been set.
+void keep_own_values(std::size_t i, std::int64_t step, double t, StepData<Space>& data) noexcept;
+/// Counts what is kept of subsystem `i`.
+std::size_t count_own_values(const System<Space>& system, std::size_t i,
+                             const StepData<Space>& data);
 
 }  // namespace spoke

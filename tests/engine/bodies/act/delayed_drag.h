@@ -2,6 +2,7 @@
 
 // An actor of few lines, as one that somebody adds: drag that follows the velocity with a delay.
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -57,6 +58,28 @@ class DelayedDrag final : public Actor<Space> {
   }
 
   void advance(std::size_t i, double elapsed) noexcept override { evaluate(*places_[i], elapsed); }
+
+  void list_shown(int i, PartList& parts) const override {
+    parts.push_back(places_[static_cast<std::size_t>(i)]->velocity->reached_part);
+  }
+  std::size_t count_values(std::size_t) const override { return 3; }
+  void keep_values(std::size_t i, double /*t*/, double* into) const noexcept override {
+    std::copy_n(places_[i]->velocity->reached.data(), 3, into);
+  }
+  std::vector<ActorColumn> columns(ColumnPlace place) const override {
+    if (place != ColumnPlace::last) return {};
+    return {{"drag.x", "N"}, {"drag.y", "N"}, {"drag.z", "N"}};
+  }
+  /// Sums over the subsystems.
+  void append_values(ColumnPlace place, std::int64_t, std::span<const double* const> kept,
+                     std::vector<double>& values) const override {
+    if (place != ColumnPlace::last) return;
+    for (std::size_t c = 0; c < 3; ++c) {
+      double sum = 0.0;
+      for (const double* const w : kept) sum -= kDrag * w[c];
+      values.push_back(sum);
+    }
+  }
 
  private:
   struct At {
