@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "engine/step/formulation/work.h"
 #include "engine/step/step_graph_builder.h"
 #include "models/system/spatial_system.h"
+#include "tests/engine/laws/watched_memory.h"
 #include "tests/engine/laws/zoo.h"
 #include "tests/engine/step/damaged_graph.h"
 #include "tests/shipped.h"
@@ -22,60 +22,6 @@ using namespace spoke;
 using namespace spoke::test;
 
 namespace {
-
-using Range = std::span<std::byte>;
-
-/// Memory under a name.
-struct Watched {
-  std::string name;
-  Range memory;
-};
-
-template <class T>
-Range bytes(T& object) {
-  return std::as_writable_bytes(std::span(&object, 1));
-}
-
-/// Lists all memory of a context but that of matrices on the heap.
-template <class World>
-std::vector<Watched> watch(SystemContext<World>& context) {
-  StepData<World>& data = context.data;
-  std::vector<Watched> watched{{"the table", bytes(data)},
-                               {"progress", std::as_writable_bytes(std::span(data.progress))},
-                               {"records", std::as_writable_bytes(std::span(data.records))},
-                               {"rotors", std::as_writable_bytes(std::span(data.rotors))}};
-  for (SubsystemData<World>& subsystem : data.subsystems) {
-    watched.push_back({"a subsystem", bytes(subsystem)});
-    for (BodyData<World>& body : subsystem.bodies) watched.push_back({"a body", bytes(body)});
-    for (const Range chunk : subsystem.arena->memory()) watched.push_back({"an arena", chunk});
-  }
-  for (auto& work : context.work.structured) watched.push_back({"structured work", bytes(work)});
-  return watched;
-}
-
-/// The bytes that parts cover, ascending, without overlaps; but for parts of the name `left_out`.
-std::vector<Range> covered_by(const graph::StepGraph& graph, const std::string& left_out) {
-  std::vector<Range> covered;
-  for (const graph::Part& part : graph.parts())
-    if (left_out.empty() || !part.name.ends_with(left_out))
-      covered.insert(covered.end(), part.memory.begin(), part.memory.end());
-  std::sort(covered.begin(), covered.end(), [](Range a, Range b) { return a.data() < b.data(); });
-  return covered;
-}
-
-bool is_covered(const std::vector<Range>& covered, const std::byte* byte) {
-  const auto behind = std::upper_bound(covered.begin(), covered.end(), byte,
-                                       [](const std::byte* at, Range r) { return at < r.data(); });
-  return behind != covered.begin() && byte < std::prev(behind)->data() + std::prev(behind)->size();
-}
-
-/// Returns the first byte of a range that is not what it was and that no part covers; null: none.
-const std::byte* find_uncovered(Range now, const std::vector<std::byte>& before,
-                                const std::vector<Range>& covered) {
-  for (std::size_t k = 0; k < now.size(); ++k)
-    if (now[k] != before[k] && !is_covered(covered, &now[k])) return &now[k];
-  return nullptr;
-}
 
 /// Runs the nodes of some passes. Returns what they change that is memory of no part.
 template <class World>
@@ -86,7 +32,9 @@ std::vector<std::string> find_uncovered(SystemContext<World>& context,
   const graph::StepGraph graph = build_step_graph(context);
   for (const graph::Node& node : graph.nodes())
     CHECK(role_of(node.label.stage, context.data) <= StageRole::system);
-  const std::vector<Range> covered = covered_by(graph, left_out);
+  const std::vector<Range> covered = covered_by(graph, [&left_out](const graph::Part& part) {
+    return left_out.empty() || !part.name.ends_with(left_out);
+  });
   std::vector<std::string> found;
   for (const int stage : {0, 1, PassControl::kEvaluateOnly}) {
     set_progress({0.1, stage, is_implicit && stage >= 0}, context);
@@ -98,7 +46,7 @@ std::vector<std::string> find_uncovered(SystemContext<World>& context,
       for (std::size_t k = 0; k < watched.size(); ++k) {
         const Range now = watched[k].memory;
         if (std::equal(now.begin(), now.end(), before[k].begin())) continue;
-        if (find_uncovered(now, before[k], covered))
+        if (find_outside(now, before[k], covered))
           found.push_back(graph.name_of(node) + " changes " + watched[k].name);
         std::copy(now.begin(), now.end(), before[k].begin());
       }
