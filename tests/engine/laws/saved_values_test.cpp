@@ -15,8 +15,8 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/run/time_stepper.h"
-#include "engine/table/state_values.h"
+#include "engine/bodies/table/state_values.h"
+#include "engine/step/run/time_stepper.h"
 #include "graph/executor.h"
 #include "models/system/spatial_system.h"
 #include "tests/engine/laws/watched_memory.h"
