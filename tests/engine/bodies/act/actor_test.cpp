@@ -11,6 +11,7 @@
 
 #include "engine/bodies/columns/spatial_columns.h"
 #include "engine/bodies/kernels/space/joint_values.h"
+#include "engine/bodies/table/state_values.h"
 #include "engine/simulation/spatial_sensors.h"
 #include "engine/step/assembly.h"
 #include "engine/step/run/time_stepper.h"
@@ -19,7 +20,6 @@
 #include "models/system/spatial_system.h"
 #include "models/tree/tree.h"
 #include "tests/engine/bodies/act/delayed_drag.h"
-#include "tests/engine/output/scene/shipped.h"
 #include "tests/engine/step/damaged_graph.h"
 #include "tests/shipped.h"
 

@@ -17,6 +17,7 @@
 #include "engine/step/step_graph_builder.h"
 #include "graph/declaration_check.h"
 #include "models/system/spatial_system.h"
+#include "tests/approx.h"
 #include "tests/engine/bodies/space/system/models.h"
 #include "tests/shown_values.h"
 
