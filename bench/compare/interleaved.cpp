@@ -54,13 +54,10 @@ Timing summarise(const Alternative& alternative, const std::vector<double>& time
 }  // namespace
 
 void take_turns(std::size_t contenders, int rounds,
-                const std::function<void(std::size_t, int)>& take_turn,
-                const std::function<void()>& before_round) {
-  for (int round = 0; round < rounds; ++round) {
-    if (before_round) before_round();
+                const std::function<void(std::size_t, int)>& take_turn) {
+  for (int round = 0; round < rounds; ++round)
     for (std::size_t turn = 0; turn < contenders; ++turn)
       take_turn((turn + static_cast<std::size_t>(round)) % contenders, round);
-  }
 }
 
 std::string describe_turn(int round, int rounds, const std::string& name) {

@@ -21,8 +21,7 @@ using Progress = std::function<void(const std::string&)>;
 /// Calls `take_turn(contender, round)` for each contender in each of the rounds; the contender that
 /// begins moves on with the rounds.
 void take_turns(std::size_t contenders, int rounds,
-                const std::function<void(std::size_t, int)>& take_turn,
-                const std::function<void()>& before_round = {});
+                const std::function<void(std::size_t, int)>& take_turn);
 /// Returns "round 2 of 15: NAME".
 std::string describe_turn(int round, int rounds, const std::string& name);
 

@@ -177,22 +177,18 @@ std::int64_t steps_of(std::int64_t batch, int rounds) {
 
 std::vector<Measurement> measure(const std::vector<Configuration>& configurations,
                                  const MakeCommand& make_command, const BatchSize& batch_size,
-                                 const Effort& effort, const Progress& progress,
-                                 const BeforeRound& before_round) {
+                                 const Effort& effort, const Progress& progress) {
   assert(!configurations.empty());
   std::vector<Contender> contenders =
       start_all(configurations, make_command, batch_size, effort, progress);
-  bench::take_turns(
-      contenders.size(), effort.rounds,
-      [&](std::size_t k, int round) {
-        Contender& contender = contenders[k];
-        if (!contender.takes_part()) return;
-        progress(bench::describe_turn(round, effort.rounds,
-                                      full_name(contender.measurement.configuration)));
-        take_turn(contender, round, effort);
-        require_reference(contender);
-      },
-      before_round);
+  bench::take_turns(contenders.size(), effort.rounds, [&](std::size_t k, int round) {
+    Contender& contender = contenders[k];
+    if (!contender.takes_part()) return;
+    progress(
+        bench::describe_turn(round, effort.rounds, full_name(contender.measurement.configuration)));
+    take_turn(contender, round, effort);
+    require_reference(contender);
+  });
   progress("");
   std::vector<Measurement> measurements;
   for (Contender& contender : contenders) measurements.push_back(std::move(contender.measurement));

@@ -61,15 +61,11 @@ using MakeCommand = std::function<Command(const Configuration&)>;
 using BatchSize = std::function<std::int64_t(Formulation)>;
 using bench::Progress;
 
-/// Is called in every round before the configurations' turns; all processes are halted meanwhile.
-using BeforeRound = std::function<void()>;
-
 /// Measures the configurations in turns. Precondition: make_configurations() made them. Throws
 /// DivergenceError if a process reports that the scenario diverged, InputError if a serial one
-/// leaves without a sample, and passes on exceptions of `before_round`.
+/// leaves without a sample.
 std::vector<Measurement> measure(const std::vector<Configuration>& configurations,
                                  const MakeCommand& make_command, const BatchSize& batch_size,
-                                 const Effort& effort, const Progress& progress,
-                                 const BeforeRound& before_round = {});
+                                 const Effort& effort, const Progress& progress);
 
 }  // namespace spoke::compare

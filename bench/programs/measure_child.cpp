@@ -23,7 +23,7 @@ namespace spoke::cli {
 namespace {
 
 constexpr std::string_view kMeasureChild = "measure-child";
-constexpr std::size_t kFixedWords = 10;  // words before the overrides
+constexpr std::size_t kFixedWords = 9;  // words before the overrides
 
 using Clock = std::chrono::steady_clock;
 using reproduce::Work;
@@ -67,8 +67,7 @@ SimulationOptions make_options(const std::vector<std::string>& words) {
   const auto kinds = graph::executor_kinds();
   return {.formulation = formulation_of(words[2]),
           .executor = value_of<ExecutorKind>(words[3], {kinds.begin(), kinds.end()}),
-          .threads = parse_threads(words[4]),
-          .window = std::stoi(words[8])};
+          .threads = parse_threads(words[4])};
 }
 
 void answer(const std::string& line) {
@@ -103,7 +102,7 @@ Batch make_batch(const std::vector<std::string>& words) {
     throw InputError("is started by the commands compare and reproduce only");
   const Scenario scenario = make_scenario(words);
   const SimulationOptions options = make_options(words);
-  switch (value_of<Work>(words[9], {Work::steps, Work::inverse, Work::run})) {
+  switch (value_of<Work>(words[8], {Work::steps, Work::inverse, Work::run})) {
     case Work::inverse:
       return
           [part = std::make_shared<reproduce::InversePart>(scenario, options)](std::int64_t steps) {
@@ -143,8 +142,7 @@ compare::Command make_child_command(const ChildTask& task,
       {std::string(kMeasureChild), task.scenario, std::string(name_of(configuration.formulation)),
        std::string(name_of(configuration.executor)), graph::name_of(configuration.threads),
        std::string(name_of(task.integration.method)), fmt::format("{}", task.integration.step),
-       fmt::format("{}", task.integration.duration), fmt::format("{}", task.window),
-       std::string(name_of(task.work))},
+       fmt::format("{}", task.integration.duration), std::string(name_of(task.work))},
       compare::environment_of(configuration),
       make_input(task)};
   command.arguments.insert(command.arguments.end(), task.overrides.begin(), task.overrides.end());

@@ -20,7 +20,6 @@ struct ChildTask {
   std::string text;      ///< text of that file, which children do not read again
   Overrides overrides;
   Integration integration;  ///< its method, step and duration replace those of the scenario
-  int window = 0;           ///< see SimulationOptions::window
   reproduce::Work work = reproduce::Work::steps;  ///< kind of work in a batch of steps
 };
 

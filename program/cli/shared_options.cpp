@@ -102,12 +102,6 @@ void add_common(CLI::App& command, Arguments& arguments) {
   command.add_flag("-v,--verbose", arguments.verbosity, "Log to stderr; -vv logs more");
 }
 
-void add_formulation(CLI::App& command, Arguments& arguments) {
-  add_choice<Formulation>(
-      command, "--formulation", "How accelerations are computed [structured]", formulations(),
-      [&](Formulation formulation) { arguments.options.formulation = formulation; });
-}
-
 void add_integrator(CLI::App& command, Arguments& arguments) {
   add_choice<IntegrationMethod>(command, "--integrator",
                                 "Integration method\n[what the scenario says; generalized_alpha]",
@@ -148,7 +142,9 @@ void add_instructions(CLI::App& command, Arguments& arguments) {
 }
 
 void add_running(CLI::App& command, Arguments& arguments) {
-  add_formulation(command, arguments);
+  add_choice<Formulation>(
+      command, "--formulation", "How accelerations are computed [structured]", formulations(),
+      [&](Formulation formulation) { arguments.options.formulation = formulation; });
   add_integrator(command, arguments);
   add_executor(command, arguments);
   command

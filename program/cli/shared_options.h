@@ -24,7 +24,6 @@ void add_path(CLI::App& command, const std::string& option, std::string& path,
 void add_out(CLI::App& command, Arguments& arguments, const std::string& unless_given);
 /// Adds --force, of commands that write files.
 void add_force(CLI::App& command, Arguments& arguments);
-void add_formulation(CLI::App& command, Arguments& arguments);
 void add_integrator(CLI::App& command, Arguments& arguments);
 /// Adds --instructions.
 void add_instructions(CLI::App& command, Arguments& arguments);

@@ -65,8 +65,6 @@ struct LineSeries {
   std::vector<BandPoint> band = {};  ///< band shaded behind the line, in order of x
   bool markers = true;
   bool dashed = false;
-  bool joined = true;                        ///< whether a line joins the points
-  std::optional<std::size_t> color_of = {};  ///< series whose colour and marker it shares
 };
 
 struct LineChart {

@@ -27,8 +27,6 @@ void draw_sample(Svg& svg, const LegendEntry& entry, Point2 at) {
       svg.path(command('M', {at.x, y}) + "h20",
                entry.sample == LegendEntry::Sample::line ? "line" : "line dashed");
       break;
-    case LegendEntry::Sample::points:
-      break;  // the marker alone
     case LegendEntry::Sample::reference:
       svg.line({at.x, y}, {at.x + 20.0, y}, "reference");
       break;

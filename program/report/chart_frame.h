@@ -18,7 +18,7 @@ std::string color_of(std::size_t series);
 
 /// An entry of a legend: a sample of the mark, and its name.
 struct LegendEntry {
-  enum class Sample { box, line, dashed_line, points, reference, mark };
+  enum class Sample { box, line, dashed_line, reference, mark };
   std::string name = {};
   std::string color = {};
   Sample sample = Sample::box;

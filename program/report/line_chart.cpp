@@ -22,20 +22,13 @@ struct Axes {
   Point2 position(double at_x, double at_y) const { return {x.position(at_x), y.position(at_y)}; }
 };
 
-/// Returns the series that gives the s-th its colour and marker.
-std::size_t look_of(const LineChart& chart, std::size_t s) {
-  return chart.series[s].color_of.value_or(s);
-}
-
 std::vector<LegendEntry> legend_of(const LineChart& chart) {
   using Sample = LegendEntry::Sample;
   std::vector<LegendEntry> legend;
   for (std::size_t s = 0; s < chart.series.size(); ++s) {
     const LineSeries& series = chart.series[s];
-    const std::size_t look = look_of(chart, s);
-    const Sample line = series.dashed ? Sample::dashed_line : Sample::line;
-    legend.push_back(
-        {series.name, color_of(look), series.joined ? line : Sample::points, look, series.markers});
+    legend.push_back({series.name, color_of(s), series.dashed ? Sample::dashed_line : Sample::line,
+                      s, series.markers});
   }
   for (const ReferenceLine& line : chart.lines)
     legend.push_back({line.name, "", Sample::reference});
@@ -119,15 +112,14 @@ std::string tooltip_of(const LineChart& chart, const LineSeries& series, const D
 
 void draw_series(Svg& svg, const LineChart& chart, std::size_t s, const Axes& axes) {
   const LineSeries& series = chart.series[s];
-  const std::size_t look = look_of(chart, s);
-  svg.begin_group(color_of(look), series.name);
+  svg.begin_group(color_of(s), series.name);
   const std::string line = line_path(series, axes);
-  if (!line.empty() && series.joined) svg.path(line, series.dashed ? "line dashed" : "line");
+  if (!line.empty()) svg.path(line, series.dashed ? "line dashed" : "line");
   if (series.markers)
     for (const DataPoint& point : series.points) {
       if (!axes.show(point.x, point.y)) continue;
       svg.begin_group("", tooltip_of(chart, series, point));
-      svg.path(marker(axes.position(point.x, point.y), look), "point");
+      svg.path(marker(axes.position(point.x, point.y), s), "point");
       svg.end_group();
     }
   svg.end_group();
@@ -137,7 +129,7 @@ void draw_bands(Svg& svg, const LineChart& chart, const Axes& axes) {
   for (std::size_t s = 0; s < chart.series.size(); ++s) {
     const std::string band = band_path(chart.series[s], axes);
     if (band.empty()) continue;
-    svg.begin_group(color_of(look_of(chart, s)));
+    svg.begin_group(color_of(s));
     svg.path(band, "band");
     svg.end_group();
   }
