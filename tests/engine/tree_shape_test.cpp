@@ -10,6 +10,7 @@
 #include "engine/simulation.h"
 #include "models/space/rotation_vector.h"
 #include "models/tree/tree.h"
+#include "tests/engine/bodies/space/system/models.h"
 #include "tests/engine/serial.h"
 #include "tests/message_of.h"
 #include "tests/shipped.h"

@@ -11,6 +11,7 @@
 
 #include "engine/bodies/columns/spatial_columns.h"
 #include "engine/bodies/kernels/space/joint_values.h"
+#include "engine/bodies/table/state_copy.h"
 #include "engine/bodies/table/state_values.h"
 #include "engine/simulation/spatial_sensors.h"
 #include "engine/step/assembly.h"
