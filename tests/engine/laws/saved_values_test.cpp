@@ -27,7 +27,7 @@ using namespace spoke::test;
 
 namespace {
 
-constexpr std::int64_t kFrom = 5;  ///< step at whose end values are taken
+constexpr std::int64_t kSavedAt = 5;  ///< step at whose end values are taken
 
 /// Parts, by the end of their names, of which saved states hold values although steps do not go on
 /// from them: sensors show them.
@@ -59,7 +59,7 @@ struct Stepped {
     executor = graph::make_executor(*graph, graph::ExecutorKind::serial, 1);
     stepper.emplace(context, *graph);
     REQUIRE(stepper->start() == StepOutcome::done);
-    REQUIRE(stepper->advance(kFrom, *executor) == StepOutcome::done);
+    REQUIRE(stepper->advance(kSavedAt, *executor) == StepOutcome::done);
     for (const Range range : context.data.state_memory()) state.insert(range.data());
   }
 
@@ -68,9 +68,9 @@ struct Stepped {
     return !part.memory.empty() && state.contains(part.memory.front().data());
   }
   std::vector<double> go_on() {
-    stepper->continue_from(kFrom);
-    REQUIRE(stepper->advance(kFrom + 4, *executor) == StepOutcome::done);
-    return take_state_values(kFrom + 4, context.data);
+    stepper->continue_from(kSavedAt);
+    REQUIRE(stepper->advance(kSavedAt + 4, *executor) == StepOutcome::done);
+    return take_state_values(kSavedAt + 4, context.data);
   }
 
   SystemContext<World> context;
@@ -106,7 +106,7 @@ std::vector<Word> words_of(const graph::Part& part) {
 /// The words of a part that putting a state back leaves as they are, by part.
 template <class World>
 std::vector<std::vector<Word>> find_left(Stepped<World>& model) {
-  const std::vector<double> values = take_state_values(kFrom, model.context.data);
+  const std::vector<double> values = take_state_values(kSavedAt, model.context.data);
   std::vector<std::vector<Word>> words;
   std::vector<std::vector<std::byte>> before;
   for (const graph::Part& part : model.graph->parts()) {
@@ -114,7 +114,7 @@ std::vector<std::vector<Word>> find_left(Stepped<World>& model) {
     std::vector<std::byte>& bytes = before.emplace_back();
     for (const Word word : words.back()) bytes.insert(bytes.end(), word.begin(), word.end());
   }
-  model.context.data.put_state(change(values, true), kFrom);
+  model.context.data.put_state(change(values, true), kSavedAt);
   for (std::size_t p = 0; p < words.size(); ++p) {
     const std::byte* at = before[p].data();
     std::erase_if(words[p], [&at](const Word word) {
@@ -123,7 +123,7 @@ std::vector<std::vector<Word>> find_left(Stepped<World>& model) {
       return !std::equal(word.begin(), word.end(), was);
     });
   }
-  model.context.data.put_state(values, kFrom);
+  model.context.data.put_state(values, kSavedAt);
   return words;
 }
 
@@ -142,7 +142,7 @@ std::vector<Range> find_idle_hubs(StepData<World>& data) {
 /// shown.
 template <class World>
 std::vector<std::string> find_foreign(Stepped<World>& model) {
-  const std::vector<double> values = take_state_values(kFrom, model.context.data);
+  const std::vector<double> values = take_state_values(kSavedAt, model.context.data);
   std::vector<Range> covered = covered_by(*model.graph, [&model](const graph::Part& part) {
     return model.is_state(part) || is_one_of(kShown, part);
   });
@@ -151,11 +151,11 @@ std::vector<std::string> find_foreign(Stepped<World>& model) {
   const std::vector<Watched> watched = watch(model.context);
   std::vector<std::vector<std::byte>> before;
   for (const Watched& at : watched) before.emplace_back(at.memory.begin(), at.memory.end());
-  model.context.data.put_state(change(values, false), kFrom);
+  model.context.data.put_state(change(values, false), kSavedAt);
   std::vector<std::string> found;
   for (std::size_t k = 0; k < watched.size(); ++k)
     if (find_outside(watched[k].memory, before[k], covered)) found.push_back(watched[k].name);
-  model.context.data.put_state(values, kFrom);
+  model.context.data.put_state(values, kSavedAt);
   return found;
 }
 
@@ -224,9 +224,9 @@ void check_saved(const System<World>& system, Formulation formulation, const Met
     FAIL_CHECK("saved states hold what is of no state, and not shown, of " << memory);
   for (const std::string& part : find_left_out(model))
     FAIL_CHECK("saved states leave something out of " << part);
-  const std::vector<double> values = take_state_values(kFrom, model.context.data);
+  const std::vector<double> values = take_state_values(kSavedAt, model.context.data);
   const std::vector<double> expected = model.go_on();
-  model.context.data.put_state(values, kFrom);
+  model.context.data.put_state(values, kSavedAt);
   poison_left(model);
   CHECK(model.go_on() == expected);
 }

@@ -29,7 +29,7 @@ Rotation from_hub(SensorFrame frame, const Subsystem<Space>& subsystem,
 /// Returns where H of the hub that carries a subsystem is when its angle and all joint coordinates
 /// of a support are 0, without a mount's motion.
 space::Pose calc_start(const System<Space>& system, const Subsystem<Space>& subsystem) {
-  const space::Pose base{system.hub.position, rotation_of(system.hub, 0.0)};
+  space::Pose base{system.hub.position, rotation_of(system.hub, 0.0)};
   if (subsystem.rotor < 0) return base;
   const SupportedRotor& rotor = system.rotors[static_cast<std::size_t>(subsystem.rotor)];
   const space::Pose hub =
