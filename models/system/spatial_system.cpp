@@ -56,8 +56,7 @@ space::Hub make_base(const spatial::Support& support, const spatial::Hub& hub) {
   made.support = HubSupport::free;
   made.orientation = make_quaternion(space::exponential(fuselage.attitude));
   made.mass = fuselage.mass;
-  made.inertia =
-      calc_mass(space::RigidBody{fuselage.mass, fuselage.center, fuselage.inertia});
+  made.inertia = calc_mass(space::RigidBody{fuselage.mass, fuselage.center, fuselage.inertia});
   made.position = fuselage.position;
   made.velocity = space::make_twist(fuselage.velocity, fuselage.angular_velocity);
   return made;

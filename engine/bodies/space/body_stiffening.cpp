@@ -45,7 +45,7 @@ Turn<Double2> turn_of(const PlaneCoordinates& q) {
 }
 
 /// Returns the products of a matrix over both nodes, by its entries 11, 12, 22.
-Turn<Double2> multiply(const std::array<double, 3>& K, const Turn<Double2>& th) {
+Turn<Double2> multiply_turn(const std::array<double, 3>& K, const Turn<Double2>& th) {
   const Double2 inner{K[0], K[1]}, outer{K[1], K[2]};
   const auto product = [&](const Double2& x) { return x[0] * inner + x[1] * outer; };
   return {product(th.x), product(th.y), product(th.z)};
@@ -64,16 +64,16 @@ void add_turned_sections(const ElementStiffening& matrices, bool is_symmetric, c
   const auto dot = [](const Double2& a, const Double2& b) { return a * b; };
   const Turn<Double2> th = turn_of(q), rate = turn_of(v);
   Turn<Double2> force{};
-  const Turn<Double2> K22 = multiply(matrices.turning[0], th);
+  const Turn<Double2> K22 = multiply_turn(matrices.turning[0], th);
   add_forces_22(W, K22, force);
   add_forms_22(K22, th, dot, sums.value.of_22);
   add_forms_22(K22, rate, dot, sums.rate.of_22);
-  const Turn<Double2> K33 = multiply(matrices.turning[2], th);
+  const Turn<Double2> K33 = multiply_turn(matrices.turning[2], th);
   add_forces_33(W, K33, force);
   add_forms_33(K33, th, dot, sums.value.of_33);
   add_forms_33(K33, rate, dot, sums.rate.of_33);
   if (!is_symmetric) {
-    const Turn<Double2> K23 = multiply(matrices.turning[1], th);
+    const Turn<Double2> K23 = multiply_turn(matrices.turning[1], th);
     add_forces_23(W, K23, force);
     add_forms_23(K23, th, dot, sums.value.of_23);
     add_forms_23(K23, rate, dot, sums.rate.of_23);

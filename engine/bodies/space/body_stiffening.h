@@ -5,8 +5,8 @@
 //   T = T_linear - 1/2 w0^T Lambda w0,     V = V_linear + g . gamma
 //   Lambda = (e.c) 1 - 1/2 (e c^T + c e^T) + (share of sections and small masses that turn)
 //   c = sum S K1 + R KL + e Kx,            gamma = 1/2 (sum m_out K1 + KL) e
-// with the quadratic forms q^T K q in place of the matrices K. K1 is summed over the elements, which
-// carry the mass m_out with the first moment S.
+// with the quadratic forms q^T K q in place of the matrices K. K1 is summed over the elements,
+// which carry the mass m_out with the first moment S.
 
 #include "engine/bodies/space/body_data.h"
 

@@ -146,8 +146,8 @@ struct NodePair {
 }
 
 /// Returns the products of a matrix over both nodes, by its entries 11, 12, 22.
-[[gnu::always_inline]] inline Turn<NodePair> multiply(const std::array<Lanes, 3>& K,
-                                                      const Turn<NodePair>& th) {
+[[gnu::always_inline]] inline Turn<NodePair> multiply_turn(const std::array<Lanes, 3>& K,
+                                                           const Turn<NodePair>& th) {
   const auto product = [&K](const NodePair& x) __attribute__((always_inline)) {
     return NodePair{lanes(K[0]) * x.inner + lanes(K[1]) * x.outer,
                     lanes(K[1]) * x.inner + lanes(K[2]) * x.outer};
@@ -165,11 +165,11 @@ struct NodePair {
   };
   const Turn<NodePair> th = turn_of(q), rates = turn_of(v);
   Turn<NodePair> force{};
-  const Turn<NodePair> K22 = multiply(m.turning[0], th);
+  const Turn<NodePair> K22 = multiply_turn(m.turning[0], th);
   add_forces_22(W, K22, force);
   add_forms_22(K22, th, dot, value.of_22);
   add_forms_22(K22, rates, dot, rate.of_22);
-  const Turn<NodePair> K33 = multiply(m.turning[1], th);
+  const Turn<NodePair> K33 = multiply_turn(m.turning[1], th);
   add_forces_33(W, K33, force);
   add_forms_33(K33, th, dot, value.of_33);
   add_forms_33(K33, rates, dot, rate.of_33);
