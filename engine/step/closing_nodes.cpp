@@ -8,7 +8,6 @@
 #include "engine/bodies/kernels/readings.h"
 #include "engine/bodies/kernels/samples.h"
 #include "engine/bodies/kernels/space/joint_values.h"
-#include "engine/bodies/kernels/space/relative_motion.h"
 #include "engine/bodies/kernels/space/supported_rotor.h"
 #include "engine/step/formulation/loops.h"
 #include "engine/step/pass_integration.h"

@@ -3,11 +3,9 @@
 
 #include "engine/step/step_graph_builder.h"
 
-#include <algorithm>
 #include <cassert>
 #include <utility>
 
-#include "engine/bodies/kernels/applied_forces.h"
 #include "engine/bodies/kernels/modal_damping.h"
 #include "engine/bodies/kernels/plane/table_terms.h"
 #include "engine/bodies/kernels/space/fetch_ahead.h"

@@ -142,7 +142,7 @@ class SubsystemScene {
     std::optional<LoadedPlace> found;
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j) {
       if (!is_on(place, j)) continue;
-      if (const auto turning = find_turning_place(j, point)) return turning;
+      if (auto turning = find_turning_place(j, point)) return turning;
       const Placement& body = placements_[j];
       const auto* part = std::get_if<spatial::FlexibleBody>(&tree_.bodies[j].shape);
       if (!part)

@@ -260,7 +260,7 @@ bool goes_on(const Root& root) {
 FixedFrame see_from_outside(const Linearised& all) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < all.model.subsystems(); ++i) names.push_back(all.model.name_of(i));
-  const FixedFrame rotor = make_fixed_frame(
+  FixedFrame rotor = make_fixed_frame(
       all.linear, all.model.azimuths(), names,
       make_standing_axes(all.model.free_components(), all.model.is_spatial(), all.model.speed()));
   if (!all.linear.support) return rotor;
