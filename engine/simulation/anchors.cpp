@@ -6,7 +6,7 @@
 #include <cassert>
 #include <sstream>
 
-#include "engine/bodies/kernels/anchor_motion.h"
+#include "engine/bodies/kernels/loops/anchor_motion.h"
 #include "models/error.h"
 #include "models/support/nearest_name.h"
 

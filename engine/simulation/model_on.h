@@ -21,7 +21,7 @@
 #include "engine/simulation/views.h"
 #include "engine/step/copy_context.h"
 #include "engine/step/formulation/tree_joints.h"
-#include "engine/step/loop_start.h"
+#include "engine/step/loops/loop_start.h"
 #include "engine/step/model_memory.h"
 #include "engine/step/put_bodies.h"
 #include "engine/step/share_subsystems.h"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "engine/bodies/kernels/kinematics.h"
-#include "engine/bodies/kernels/loop_motion.h"
+#include "engine/bodies/kernels/loops/loop_motion.h"
 #include "engine/bodies/kernels/readings.h"
 #include "engine/bodies/kernels/samples.h"
 

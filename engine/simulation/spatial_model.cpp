@@ -7,7 +7,7 @@
 
 #include "engine/bodies/act/place_actors.h"
 #include "engine/bodies/kernels/kinematics.h"
-#include "engine/bodies/kernels/loop_motion.h"
+#include "engine/bodies/kernels/loops/loop_motion.h"
 #include "engine/bodies/kernels/readings.h"
 #include "engine/bodies/kernels/samples.h"
 #include "engine/bodies/kernels/space/joint_values.h"

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "engine/bodies/act/user_load/load_markers.h"
-#include "engine/bodies/kernels/anchor_motion.h"
 #include "engine/bodies/kernels/kinematics.h"
-#include "engine/bodies/kernels/loop_readings.h"
+#include "engine/bodies/kernels/loops/anchor_motion.h"
+#include "engine/bodies/kernels/loops/loop_readings.h"
 #include "engine/bodies/kernels/marker_motion.h"
 #include "engine/bodies/kernels/modal_damping.h"
 #include "engine/bodies/kernels/space/relative_motion.h"

@@ -7,8 +7,8 @@
 #include "engine/bodies/kernels/applied_forces.h"
 #include "engine/bodies/kernels/hub_motion.h"
 #include "engine/bodies/kernels/space/put_joint.h"
-#include "engine/step/formulation/loops.h"
-#include "engine/step/loop_start.h"
+#include "engine/step/formulation/loops/loops.h"
+#include "engine/step/loops/loop_start.h"
 #include "engine/step/step_context.h"
 #include "engine/step/step_errors.h"
 

@@ -4,12 +4,12 @@
 
 #include "engine/bodies/kernels/hub_solve.h"
 #include "engine/bodies/kernels/kinematics.h"
-#include "engine/bodies/kernels/loop_motion.h"
+#include "engine/bodies/kernels/loops/loop_motion.h"
 #include "engine/bodies/kernels/readings.h"
 #include "engine/bodies/kernels/samples.h"
 #include "engine/bodies/kernels/space/joint_values.h"
 #include "engine/bodies/kernels/space/supported_rotor.h"
-#include "engine/step/formulation/loops.h"
+#include "engine/step/formulation/loops/loops.h"
 #include "engine/step/pass_integration.h"
 
 namespace spoke {

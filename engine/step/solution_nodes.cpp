@@ -6,7 +6,7 @@
 #include "engine/bodies/kernels/hub_solve.h"
 #include "engine/bodies/kernels/space/fetch_ahead.h"
 #include "engine/bodies/kernels/space/supported_rotor.h"
-#include "engine/step/formulation/loops.h"
+#include "engine/step/formulation/loops/loops.h"
 #include "engine/step/formulation/tree_joints.h"
 #include "engine/step/pass_integration.h"
 #include "engine/step/recovery_end.h"

@@ -9,7 +9,7 @@
 #include "engine/bodies/table/step_data.h"
 #include "engine/step/formulation/work.h"
 #include "engine/step/integrator/step_control.h"
-#include "engine/step/loop_freedoms.h"
+#include "engine/step/loops/loop_freedoms.h"
 #include "engine/step/sharing.h"
 #include "graph/step_graph.h"
 

@@ -11,7 +11,7 @@
 #include "engine/bodies/kernels/space/fetch_ahead.h"
 #include "engine/bodies/kernels/space/table_terms.h"
 #include "engine/step/closing_nodes.h"
-#include "engine/step/loop_nodes.h"
+#include "engine/step/loops/loop_nodes.h"
 #include "engine/step/motion_nodes.h"
 #include "engine/step/solution_nodes.h"
 #include "engine/step/tile_nodes.h"

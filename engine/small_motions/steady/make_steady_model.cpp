@@ -9,7 +9,7 @@
 #include "engine/small_motions/steady/steady_mount.h"
 #include "engine/small_motions/steady/steady_system.h"
 #include "engine/small_motions/steady/supported_model.h"
-#include "engine/step/loop_start.h"
+#include "engine/step/loops/loop_start.h"
 #include "engine/step/model_memory.h"
 #include "engine/support/memory.h"
 #include "models/error.h"

@@ -6,8 +6,8 @@
 #include <cassert>
 #include <span>
 
-#include "engine/bodies/kernels/loop_motion.h"
-#include "engine/bodies/kernels/loop_readings.h"
+#include "engine/bodies/kernels/loops/loop_motion.h"
+#include "engine/bodies/kernels/loops/loop_readings.h"
 #include "engine/small_motions/steady/subsystem_access.h"
 
 namespace spoke::steady {

@@ -17,7 +17,7 @@
 #include "engine/bodies/table/body_kind.h"
 #include "engine/small_motions/steady/steady_system.h"
 #include "engine/small_motions/steady/subsystem_access.h"
-#include "engine/step/formulation/loops.h"
+#include "engine/step/formulation/loops/loops.h"
 
 namespace spoke::steady {
 namespace {

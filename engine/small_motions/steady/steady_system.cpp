@@ -22,7 +22,7 @@
 #include "engine/small_motions/steady/subsystem_access.h"
 #include "engine/small_motions/steady/subsystem_forces.h"
 #include "engine/step/assembly.h"
-#include "engine/step/formulation/loops.h"
+#include "engine/step/formulation/loops/loops.h"
 #include "engine/step/step_graph_builder.h"
 #include "models/error.h"
 #include "models/system/spatial_system.h"

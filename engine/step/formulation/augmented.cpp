@@ -9,7 +9,7 @@
 #include "engine/bodies/kernels/dense_body.h"
 #include "engine/bodies/kernels/hub_motion.h"
 #include "engine/bodies/kernels/hub_solve.h"
-#include "engine/step/formulation/loops.h"
+#include "engine/step/formulation/loops/loops.h"
 #include "engine/step/formulation/tree_joints.h"
 
 namespace spoke::augmented {

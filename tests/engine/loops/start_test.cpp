@@ -11,7 +11,7 @@
 
 #include "engine/bodies/kernels/samples.h"
 #include "engine/simulation.h"
-#include "engine/step/loop_rank.h"
+#include "engine/step/loops/loop_rank.h"
 #include "models/error.h"
 #include "tests/contains.h"
 #include "tests/engine/bodies/space/system/runs.h"

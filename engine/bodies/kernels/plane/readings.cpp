@@ -4,7 +4,7 @@
 
 #include <cassert>
 
-#include "engine/bodies/kernels/loop_readings.h"
+#include "engine/bodies/kernels/loops/loop_readings.h"
 #include "engine/bodies/kernels/plane/section_balance.h"
 
 namespace spoke {

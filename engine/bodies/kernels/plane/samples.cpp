@@ -5,7 +5,7 @@
 #include <cassert>
 
 #include "engine/bodies/kernels/kinematics.h"
-#include "engine/bodies/kernels/loop_motion.h"
+#include "engine/bodies/kernels/loops/loop_motion.h"
 #include "engine/bodies/kernels/plane/applied_tension.h"
 #include "engine/bodies/kernels/plane/body_energies.h"
 #include "engine/bodies/kernels/plane/handle_motion.h"

@@ -4,8 +4,8 @@
 
 #include <cassert>
 
-#include "engine/bodies/kernels/loop_motion.h"
-#include "engine/bodies/kernels/loop_readings.h"
+#include "engine/bodies/kernels/loops/loop_motion.h"
+#include "engine/bodies/kernels/loops/loop_readings.h"
 #include "engine/bodies/kernels/space/table_access.h"
 
 namespace spoke {

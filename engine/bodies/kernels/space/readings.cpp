@@ -6,7 +6,7 @@
 #include <cassert>
 #include <optional>
 
-#include "engine/bodies/kernels/loop_readings.h"
+#include "engine/bodies/kernels/loops/loop_readings.h"
 #include "engine/bodies/kernels/marker_motion.h"
 #include "engine/bodies/kernels/space/interface_force.h"
 #include "engine/bodies/kernels/space/relative_motion.h"

@@ -5,7 +5,7 @@
 #include <cassert>
 
 #include "engine/bodies/kernels/kinematics.h"
-#include "engine/bodies/kernels/loop_motion.h"
+#include "engine/bodies/kernels/loops/loop_motion.h"
 #include "engine/bodies/kernels/space/table_terms.h"
 #include "engine/bodies/space/body_energies.h"
 #include "engine/bodies/table/body_kind.h"

@@ -12,7 +12,7 @@
 #include <cassert>
 #include <utility>
 
-#include "engine/step/formulation/loops.h"
+#include "engine/step/formulation/loops/loops.h"
 #include "engine/step/formulation/structured/tree_elimination.h"
 #include "engine/step/formulation/tree_joints.h"
 #include "models/support/wide_kernels.h"

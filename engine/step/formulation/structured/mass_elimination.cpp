@@ -6,7 +6,7 @@
 
 #include <cassert>
 
-#include "engine/step/formulation/loops.h"
+#include "engine/step/formulation/loops/loops.h"
 #include "engine/step/formulation/structured/tree_elimination.h"
 #include "models/support/wide_kernels.h"
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "engine/bodies/kernels/body_parts.h"
-#include "engine/step/formulation/loops.h"
+#include "engine/step/formulation/loops/loops.h"
 #include "engine/step/formulation/structured/tree_elimination.h"
 
 namespace spoke::structured {

@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "engine/bodies/kernels/dense_body.h"
-#include "engine/step/formulation/loops.h"
+#include "engine/step/formulation/loops/loops.h"
 #include "engine/step/formulation/subsystem.h"
 #include "engine/step/formulation/tree_joints.h"
 #include "engine/support/dense.h"

@@ -5,7 +5,7 @@
 
 #include <cassert>
 
-#include "engine/step/formulation/loops.h"
+#include "engine/step/formulation/loops/loops.h"
 #include "engine/step/formulation/subsystem.h"
 #include "engine/step/formulation/tree_joints.h"
 #include "engine/support/dense.h"

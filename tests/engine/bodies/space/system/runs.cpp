@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "engine/bodies/kernels/loop_motion.h"
+#include "engine/bodies/kernels/loops/loop_motion.h"
 #include "engine/bodies/kernels/samples.h"
 #include "engine/bodies/kernels/space/supported_rotor.h"
 #include "engine/bodies/table/state_values.h"

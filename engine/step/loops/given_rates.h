@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/step/loop_coordinates.h"
+#include "engine/step/loops/loop_coordinates.h"
 
 namespace spoke {
 

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <utility>
 
-#include "engine/step/formulation/loops.h"
+#include "engine/step/formulation/loops/loops.h"
 
 namespace spoke {
 namespace {

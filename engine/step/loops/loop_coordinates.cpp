@@ -1,13 +1,13 @@
 // Evaluates the rows of loops at states near the start.
 
-#include "engine/step/loop_coordinates.h"
+#include "engine/step/loops/loop_coordinates.h"
 
 #include <algorithm>
 #include <cassert>
 
 #include "engine/bodies/kernels/hub_motion.h"
 #include "engine/bodies/kernels/kinematics.h"
-#include "engine/bodies/kernels/loop_motion.h"
+#include "engine/bodies/kernels/loops/loop_motion.h"
 #include "engine/bodies/kernels/samples.h"
 #include "engine/step/integrator/rotation.h"
 

@@ -1,6 +1,6 @@
 // Orthogonalises rows, the largest first.
 
-#include "engine/step/loop_rank.h"
+#include "engine/step/loops/loop_rank.h"
 
 #include <cassert>
 

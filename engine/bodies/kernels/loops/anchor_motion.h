@@ -2,7 +2,7 @@
 
 // The motion of places that no body carries: on the hub, on the mount, on an anchor.
 
-#include "engine/bodies/kernels/loop_rows.h"
+#include "engine/bodies/kernels/loops/loop_rows.h"
 #include "engine/bodies/table/step_data.h"
 #include "models/space/frame_course.h"
 

@@ -1,6 +1,6 @@
 // Tests what sensors and queries show of closed loops, by forces and motions that are known.
 
-#include "engine/bodies/kernels/loop_readings.h"
+#include "engine/bodies/kernels/loops/loop_readings.h"
 
 #include <doctest/doctest.h>
 

@@ -3,7 +3,7 @@
 // The state of a subsystem's loops in a pass: their openings, their unit forces on handles and hub,
 // and the relative accelerations that close them (docs/formulation.md, section 12).
 
-#include "engine/bodies/kernels/anchor_motion.h"
+#include "engine/bodies/kernels/loops/anchor_motion.h"
 #include "engine/bodies/table/step_data.h"
 
 namespace spoke {

@@ -1,11 +1,11 @@
 // Goes through the rows of a loop at the state in the table.
 
-#include "engine/bodies/kernels/loop_readings.h"
+#include "engine/bodies/kernels/loops/loop_readings.h"
 
 #include <cassert>
 
-#include "engine/bodies/kernels/loop_motion.h"
-#include "engine/bodies/kernels/loop_rows.h"
+#include "engine/bodies/kernels/loops/loop_motion.h"
+#include "engine/bodies/kernels/loops/loop_rows.h"
 
 namespace spoke {
 namespace {

@@ -1,6 +1,6 @@
 // Solves for the forces of loops, and hands these to the bodies.
 
-#include "engine/step/formulation/loops.h"
+#include "engine/step/formulation/loops/loops.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,9 +1,9 @@
 // Declares what these nodes read and write, by formulation, and adds them.
 
-#include "engine/step/loop_nodes.h"
+#include "engine/step/loops/loop_nodes.h"
 
-#include "engine/bodies/kernels/loop_motion.h"
-#include "engine/step/formulation/loops.h"
+#include "engine/bodies/kernels/loops/loop_motion.h"
+#include "engine/step/formulation/loops/loops.h"
 
 namespace spoke {
 namespace {

@@ -3,7 +3,7 @@
 #include <cassert>
 #include <utility>
 
-#include "engine/bodies/kernels/loop_motion.h"
+#include "engine/bodies/kernels/loops/loop_motion.h"
 #include "engine/bodies/kernels/space/relative_motion.h"
 
 namespace spoke {

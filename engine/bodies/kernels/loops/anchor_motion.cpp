@@ -1,6 +1,6 @@
 // Calculates the mount and what it or the hub carries.
 
-#include "engine/bodies/kernels/anchor_motion.h"
+#include "engine/bodies/kernels/loops/anchor_motion.h"
 
 #include <cassert>
 #include <cmath>

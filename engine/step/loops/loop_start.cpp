@@ -1,6 +1,6 @@
 // Closes loops by Gauss and Newton's method, and looks at the rank of their rows.
 
-#include "engine/step/loop_start.h"
+#include "engine/step/loops/loop_start.h"
 
 #include <algorithm>
 #include <cassert>
@@ -8,10 +8,10 @@
 #include <sstream>
 #include <string>
 
-#include "engine/bodies/kernels/loop_motion.h"
-#include "engine/step/given_rates.h"
-#include "engine/step/loop_coordinates.h"
-#include "engine/step/loop_rank.h"
+#include "engine/bodies/kernels/loops/loop_motion.h"
+#include "engine/step/loops/given_rates.h"
+#include "engine/step/loops/loop_coordinates.h"
+#include "engine/step/loops/loop_rank.h"
 #include "engine/support/dense.h"
 #include "models/error.h"
 

@@ -1,6 +1,6 @@
 // Goes through the loops of a subsystem, row by row.
 
-#include "engine/bodies/kernels/loop_motion.h"
+#include "engine/bodies/kernels/loops/loop_motion.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,6 +1,6 @@
 // Moves what is prescribed at unit speed, or samples it over the run.
 
-#include "engine/step/given_rates.h"
+#include "engine/step/loops/given_rates.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,7 +1,7 @@
 // Calculates the rows of closures. With d from the place of `to` to that of `from`, w of `to`, w_r
 // = (w of `from`) - w, all against the inertial frame:
 
-#include "engine/bodies/kernels/loop_rows.h"
+#include "engine/bodies/kernels/loops/loop_rows.h"
 
 #include <Eigen/LU>
 
