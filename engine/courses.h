@@ -37,6 +37,14 @@ struct JointCourse {
   std::optional<Curve> curve{};
 };
 
+/// A torque, or a force, that the program adds to those on a free coordinate of a joint.
+struct JointTorque {
+  int tree = 0;         ///< blade or subsystem, from 0, as of Simulation::joint_index()
+  int joint = 0;        ///< as Simulation::joint_index() returns it
+  int coordinate = 0;   ///< from 0
+  double torque = 0.0;  ///< on the child, and against the parent [N m, N]
+};
+
 /// The motion of an anchor that the scenario leaves to the program, likewise: of translation and
 /// rotation vector, as Simulation::set_anchor_motion() or Simulation::set_anchor_course() sets it.
 struct AnchorCourse {
@@ -55,6 +63,7 @@ struct Courses {
   std::vector<LoadFactor> loads{};      ///< of loads with a name
   std::optional<WindCourse> wind{};     ///< at the hub; none: the scenario's wind blows
   std::vector<AnchorCourse> anchors{};  ///< of anchors that the scenario leaves to the program
+  std::vector<JointTorque> torques{};   ///< that the program adds; of all others it is 0
 };
 
 /// Multiplies the loads of a name, point loads, distributed ones, drags and loads on the hub, by a
@@ -63,6 +72,16 @@ struct Courses {
 /// no load has that name, or if the factor is not finite; else like Simulation::set_drive(). The
 /// simulation then stays as it is.
 SPOKE_EXPORT void set_load_factor(Simulation& simulation, std::string_view load, double factor);
+
+/// Adds a torque, or the force of a joint that slides, to what acts on a free coordinate of a joint
+/// in space, from the next step on and until it is set again: that of a motor whose controller the
+/// program is. Its work is part of energy.work. Numbers count from 0, as of
+/// Simulation::joint_index(). Like other changes between steps it is the caller's to keep. Throws
+/// InputError if the model is in the plane, if there is no such coordinate, or if its motion is
+/// prescribed or the drive's, or if the torque is not finite; else like Simulation::set_drive().
+/// The simulation then stays as it is.
+SPOKE_EXPORT void set_joint_torque(Simulation& simulation, int tree, int joint, int coordinate,
+                                   double torque);
 
 /// Returns the names of a scenario's loads, each once, in the order in which they come.
 SPOKE_EXPORT std::vector<std::string> load_names(const Scenario& scenario);
@@ -85,16 +104,16 @@ SPOKE_EXPORT Eigen::Vector3d wind_at_hub(const Simulation& simulation);
 SPOKE_EXPORT std::optional<Eigen::Vector3d> find_mean_wind(const Scenario& scenario);
 
 /// Returns all courses in force: the drive, each coordinate and each anchor that the scenario
-/// leaves to the program, the factor of each load with a name, the wind. Taken with
-/// Simulation::save(), they are what restore() goes back with.
+/// leaves to the program, the factor of each load with a name, the wind, torques on joints. Taken
+/// with Simulation::save(), they are what restore() goes back with.
 SPOKE_EXPORT Courses courses(const Simulation& simulation);
 
 /// Goes to a saved state as Simulation::restore() does, together with the courses that were in
 /// force when it was saved: these need not go on from those in force now. Coordinates, anchors and
-/// loads that `courses` does not name keep theirs. The following steps have the bits of the run
-/// that was saved. Throws InputError like restore(), or if a joint, anchor or load is not there, or
-/// if the drive is of another kind of motion than the one in force; the simulation then stays as it
-/// is.
+/// loads that `courses` does not name keep theirs, but for torques on joints, which end. The
+/// following steps have the bits of the run that was saved. Throws InputError like restore(), or if
+/// a joint, anchor or load is not there, or if the drive is of another kind of motion than the one
+/// in force; the simulation then stays as it is.
 SPOKE_EXPORT void restore(Simulation& simulation, const SavedState& state, const Courses& courses);
 
 }  // namespace spoke

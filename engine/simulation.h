@@ -266,9 +266,10 @@ class SPOKE_EXPORT Simulation {
   /// Returns the number of the joint of that name on a blade or subsystem, counted from 0 in the
   /// order of Scenario::space, for programs that use it often. Throws InputError if there is none.
   int joint_index(int tree, std::string_view name) const;
-  /// Returns the motion at time() of a coordinate of a joint that is prescribed, by the scenario or
-  /// the program; joint as in joint_reaction(), coordinate from 0 in the order of the scenario.
-  /// Throws InputError if there is none.
+  /// Returns the motion at time() of a coordinate of a joint: as the scenario or the program
+  /// prescribes it, or as it is found of one that is free (its acceleration by the last
+  /// evaluation); joint as in joint_reaction(), coordinate from 0 in the order of the scenario.
+  /// Throws InputError if there is none, or if it is free and one of a rotation in space.
   CoordinateMotion joint_motion(int tree, int joint, int coordinate = 0) const;
   /// Replaces the motion of a coordinate that the scenario leaves to the program (motion = { by =
   /// "program" }): from time() on it is value + velocity s + acceleration s^2/2, with s the time

@@ -19,6 +19,7 @@ SimulationCore::SimulationCore(SimulationCore& original)
       seen(original.seen),
       jumps(original.jumps),
       load_factors(original.load_factors),
+      torques(original.torques),
       energy_resolution(original.energy_resolution),
       log(original.log),
       sensor_values(original.values()),

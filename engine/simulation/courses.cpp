@@ -105,8 +105,37 @@ void put_factor(SimulationCore& core, const std::string& name, double factor) {
   core.load_factors[name] = factor;
 }
 
-JointPlace place_of(const JointCourse& joint) {
+template <class OfJoint>
+JointPlace place_of(const OfJoint& joint) {
   return {joint.tree, joint.joint, joint.coordinate};
+}
+
+/// Returns the place of a torque that the program adds to others. Throws InputError.
+double& find_added_torque(SimulationCore& core, const JointTorque& torque) {
+  SpatialJoints& joints = core.joints("the torque on a joint");
+  double& place = joints.added_torque(place_of(torque));
+  if (!std::isfinite(torque.torque))
+    throw InputError("the torque on " + joints.describe(place_of(torque)) +
+                     " is not finite, expected a number");
+  return place;
+}
+
+/// Notes a torque in place of the one before.
+void note_torque(SimulationCore& core, const JointTorque& torque) {
+  for (JointTorque& known : core.torques)
+    if (known.tree == torque.tree && known.joint == torque.joint &&
+        known.coordinate == torque.coordinate) {
+      known = torque;
+      return;
+    }
+  core.torques.push_back(torque);
+}
+
+/// Puts torques in force in place of all others, without evaluating what follows.
+void put_torques(SimulationCore& core, const std::vector<JointTorque>& torques) {
+  for (const JointTorque& known : core.torques) find_added_torque(core, known) = 0.0;
+  core.torques = torques;
+  for (const JointTorque& torque : torques) find_added_torque(core, torque) = torque.torque;
 }
 
 space::DrivenMotion motion_of(const JointCourse& joint) {
@@ -207,6 +236,7 @@ void require_courses(SimulationCore& core, const Courses& courses) {
   for (const LoadFactor& load : courses.loads)
     require_factor(core.scenario, load.load, load.factor);
   if (courses.wind) make_hub_wind(core, *courses.wind);
+  for (const JointTorque& torque : courses.torques) find_added_torque(core, torque);
 }
 
 }  // namespace
@@ -238,6 +268,15 @@ void set_load_factor(Simulation& simulation, std::string_view load, double facto
     }
   });
   core.load_factors[std::string(load)] = factor;
+}
+
+void set_joint_torque(Simulation& simulation, int tree, int joint, int coordinate, double torque) {
+  SimulationCore& core = core_of(simulation);
+  const JointTorque next{tree, joint, coordinate, torque};
+  double& in_force = find_added_torque(core, next);
+  core.require_state("go on from with another torque on a joint");
+  if (in_force != torque) core.replace(in_force, torque);
+  note_torque(core, next);
 }
 
 void set_wind(Simulation& simulation, const WindCourse& course) {
@@ -283,6 +322,7 @@ Courses courses(const Simulation& simulation) {
   if (core.model->space() && core.model->space()->system.wind)
     if (const auto* wind = dynamic_cast<const air::HubWind*>(wind_of(core).get()))
       found.wind = wind->course();
+  found.torques = core.torques;
   return found;
 }
 
@@ -296,6 +336,7 @@ void restore(Simulation& simulation, const SavedState& state, const Courses& cou
   for (const AnchorCourse& anchor : courses.anchors)
     core.put_anchor_motion(anchor.anchor, motion_of(anchor));
   for (const LoadFactor& load : courses.loads) put_factor(core, load.load, load.factor);
+  put_torques(core, courses.torques);
   if (core.model->space() && core.model->space()->system.wind) {
     std::shared_ptr<const WindField>& in_force = wind_of(core);
     in_force = courses.wind ? make_hub_wind(core, *courses.wind) : scenario_wind(in_force);

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/courses.h"
 #include "engine/load.h"
 #include "engine/saved_state.h"
 #include "engine/simulation/observations.h"
@@ -106,6 +107,7 @@ class SimulationCore {
   Observations seen;
   std::vector<Jump> jumps;  ///< of motions that scenario and program prescribe, in order of time
   std::map<std::string, double> load_factors;  ///< that the program has set, by name of the loads
+  std::vector<JointTorque> torques;            ///< that the program has set, 0 included
   double energy_resolution = 0.0;              ///< [J]
   SimulationLog log;
   /// Sensor values, measured when first read after a step.

@@ -79,7 +79,28 @@ std::size_t SpatialJoints::find_driven(const JointPlace& place) const {
   return before;
 }
 
+std::size_t SpatialJoints::count_free_before(const JointPlace& place) const {
+  std::size_t before = 0;
+  for (int c = 0; c < place.coordinate; ++c)
+    before += !coordinate({place.subsystem, place.joint, c}).motion.has_value();
+  return before;
+}
+
+space::PrescribedMotion SpatialJoints::free_motion(const JointPlace& place) const {
+  const spatial::Joint& joint =
+      tree(place.subsystem).bodies[static_cast<std::size_t>(place.joint)].joint;
+  if (joint.kind == spatial::JointKind::spherical)
+    throw InputError(name_of(place, tree(place.subsystem)) +
+                     " is one of a rotation in space, expected one about or along an axis");
+  const std::size_t free = count_free_before(place);
+  const CoordinateBlock& state = context_.data.subsystems[static_cast<std::size_t>(place.subsystem)]
+                                     .bodies[static_cast<std::size_t>(place.joint)]
+                                     .joint.coordinates;
+  return {state.q[free], state.v[free], state.a[free]};
+}
+
 space::PrescribedMotion SpatialJoints::motion(const JointPlace& place, double t) {
+  if (!coordinate(place).motion) return free_motion(place);
   const std::size_t driven = find_driven(place);
   const auto i = static_cast<std::size_t>(place.subsystem);
   prescribe_joints(context_.system, t, i, context_.data);
@@ -96,6 +117,19 @@ space::DrivenMotion& SpatialJoints::said_motion(const JointPlace& place) {
   return context_.system.subsystems[static_cast<std::size_t>(place.subsystem)]
       .bodies[static_cast<std::size_t>(place.joint)]
       .joint.course.driven[driven];
+}
+
+double& SpatialJoints::added_torque(const JointPlace& place) {
+  if (coordinate(place).motion)
+    throw InputError(name_of(place, tree(place.subsystem)) +
+                     " has a prescribed motion, expected one that is free");
+  space::JointCourse& course = context_.system.subsystems[static_cast<std::size_t>(place.subsystem)]
+                                   .bodies[static_cast<std::size_t>(place.joint)]
+                                   .joint.course;
+  if (course.drive)
+    throw InputError(name_of(place, tree(place.subsystem)) +
+                     " is turned by the hub's drive, expected another one; set_drive() turns it");
+  return course.added[count_free_before(place)];
 }
 
 std::vector<JointPlace> SpatialJoints::said() const {

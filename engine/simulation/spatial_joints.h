@@ -21,8 +21,8 @@ struct JointPlace {
   int coordinate = 0;
 };
 
-/// Access of a simulation to joints, see Simulation::set_joint_motion(). Throws InputError where
-/// there is no such subsystem, joint or coordinate.
+/// Access of a simulation to joints, see Simulation::set_joint_motion() and set_joint_torque().
+/// Throws InputError where there is no such subsystem, joint or coordinate.
 class SpatialJoints {
  public:
   /// Keeps references to both, which must outlive this.
@@ -35,10 +35,13 @@ class SpatialJoints {
   std::string unit(const JointPlace& place) const;
   /// Returns the number of the joint of that name.
   int find(int subsystem, std::string_view name) const;
-  /// Returns the motion of a coordinate whose motion is prescribed, at time t [s].
+  /// Returns the motion of a coordinate at time t [s], at which the state is: as it is prescribed,
+  /// or as it is found of one that is free.
   space::PrescribedMotion motion(const JointPlace& place, double t);
   /// Returns the course of a coordinate whose motion the program prescribes.
   space::DrivenMotion& said_motion(const JointPlace& place);
+  /// Returns the torque or force that the program adds to those on a free coordinate [N m, N].
+  double& added_torque(const JointPlace& place);
   /// Returns all coordinates whose motion the program prescribes.
   std::vector<JointPlace> said() const;
   /// Throws InputError unless a motion that begins with `begin` is finite and goes on from where
@@ -48,6 +51,9 @@ class SpatialJoints {
  private:
   const spatial::Tree& tree(int subsystem) const;
   const spatial::JointCoordinate& coordinate(const JointPlace& place) const;
+  space::PrescribedMotion free_motion(const JointPlace& place) const;
+  /// Returns the number of free coordinates of its joint before it.
+  std::size_t count_free_before(const JointPlace& place) const;
   /// Returns its number among the driven components of its joint.
   std::size_t find_driven(const JointPlace& place) const;
 

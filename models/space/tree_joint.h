@@ -2,6 +2,7 @@
 
 // A joint of a tree in space, with its prescribed motions and efforts over time.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
@@ -31,7 +32,9 @@ struct JointCourse {
   std::optional<Drive> drive = std::nullopt;
   std::vector<DrivenMotion> driven;  ///< motion by driven component
   std::vector<Curve> efforts;        ///< motor by coordinate [N m, N]; none: no motors
-  double azimuth = 0.0;              ///< added to the hub's angle for AzimuthMotion [rad]
+  /// What the embedding program adds to them, by coordinate [N m, N].
+  std::array<double, Joint::kMost> added{};
+  double azimuth = 0.0;  ///< added to the hub's angle for AzimuthMotion [rad]
   /// Index in Subsystem::controls of the controller whose angle is added to the first driven
   /// component's motion; -1: none.
   int control = -1;

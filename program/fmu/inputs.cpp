@@ -131,6 +131,7 @@ struct Coordinate {
   std::string unit;  ///< "rad" or "m"
   /// Whether the scenario leaves its motion to the program.
   bool is_programs = false;
+  bool is_free = false;
 };
 
 /// The motion of a joint's coordinate, by its velocity or its acceleration.
@@ -186,6 +187,38 @@ class JointInput final : public Input {
   Given given_;
 };
 
+/// The torque, or force, of a motor on a free coordinate of a joint.
+class MotorInput final : public Input {
+ public:
+  explicit MotorInput(const Coordinate& at) : Input(describe(at)), at_(at) {}
+
+  void begin(const Simulation& simulation, Courses& courses) const override {
+    courses.torques.push_back(
+        {at_.tree, simulation.joint_index(at_.tree, at_.joint), at_.coordinate, 0.0});
+  }
+  void apply(double value, double, Simulation& simulation, Courses& courses) const override {
+    const int joint = simulation.joint_index(at_.tree, at_.joint);
+    set_joint_torque(simulation, at_.tree, joint, at_.coordinate, value);
+    for (JointTorque& torque : courses.torques)
+      if (torque.tree == at_.tree && torque.joint == joint && torque.coordinate == at_.coordinate)
+        torque.torque = value;
+  }
+
+ private:
+  static Signal describe(const Coordinate& at) {
+    const bool slides = at.unit == "m";
+    const std::string what = slides ? "Force" : "Torque";
+    return {at.name + (slides ? ".force" : ".torque"),
+            slides ? "N" : "N m",
+            what + " of a motor on the joint, besides what the scenario says",
+            0.0,
+            false,
+            at.name};
+  }
+
+  Coordinate at_;
+};
+
 /// Adds the coordinates of a joint. Joints without a name have none that an importer could see.
 void add_coordinates(const spatial::Joint& joint, int tree, const std::string& tree_name,
                      std::vector<Coordinate>& found) {
@@ -196,7 +229,7 @@ void add_coordinates(const spatial::Joint& joint, int tree, const std::string& t
     found.push_back({tree, joint.name, c,
                      tree_name + '.' + joint.name + (count > 1 ? '.' + std::to_string(c + 1) : ""),
                      spatial::slides(joint.kind, c) ? "m" : "rad",
-                     motion && std::holds_alternative<spatial::ProgramMotion>(*motion)});
+                     motion && std::holds_alternative<spatial::ProgramMotion>(*motion), !motion});
   }
 }
 
@@ -220,6 +253,7 @@ std::vector<Coordinate> find_coordinates(const spatial::Model& model) {
   if (scenario.space)
     for (const Coordinate& at : find_coordinates(*scenario.space)) {
       if (at.is_programs || !name.starts_with(at.name + '.')) continue;
+      if (at.is_free && !name.ends_with(".velocity") && !name.ends_with(".acceleration")) continue;
       const auto& control = scenario.space->pitch_control;
       const bool is_controlled =
           control && std::find(control->joints.begin(), control->joints.end(), at.joint) !=
@@ -266,6 +300,7 @@ Inputs possible_inputs(const Simulation& simulation) {
       inputs.push_back(std::make_unique<WindInput>(component, *mean));
   if (scenario.space)
     for (const Coordinate& at : find_coordinates(*scenario.space)) {
+      if (at.is_free) inputs.push_back(std::make_unique<MotorInput>(at));
       if (!at.is_programs) continue;
       for (const auto given : {JointInput::Given::velocity, JointInput::Given::acceleration})
         inputs.push_back(std::make_unique<JointInput>(at, given));

@@ -40,6 +40,14 @@ py::list anchors_of(const Courses& courses) {
   return anchors;
 }
 
+py::list torques_of(const Courses& courses) {
+  py::list torques;
+  for (const JointTorque& torque : courses.torques)
+    torques.append(py::dict("tree"_a = torque.tree, "joint"_a = torque.joint,
+                            "coordinate"_a = torque.coordinate, "torque"_a = torque.torque));
+  return torques;
+}
+
 std::string describe_courses(const Courses& courses) {
   return "<spoke.Courses of the drive, " + std::to_string(courses.joints.size()) + " joints, " +
          std::to_string(courses.anchors.size()) + " anchors and " +
@@ -63,6 +71,9 @@ void bind_courses(py::module_& module) {
           "Of anchors that the scenario leaves to the program: dictionaries with "
           "anchor, motion, which holds from begin [s] on, and follows_curves, "
           "whether curves take their place.")
+      .def_property_readonly("torques", &torques_of,
+                             "That the program adds to joints: dictionaries with tree, joint, "
+                             "coordinate and torque [N m, N].")
       .def_property_readonly("loads", &loads_of, "Factors of the scenario's loads by their names.")
       .def("__repr__", &describe_courses);
   module.def(
@@ -74,7 +85,8 @@ void bind_courses(py::module_& module) {
       "simulation"_a,
       "The courses in force: the drive, joints and anchors that the scenario leaves to the "
       "program, "
-      "factors of loads, the wind at the hub. Taken with Simulation.save(), they are what "
+      "factors of loads, the wind at the hub, torques on joints. Taken with Simulation.save(), "
+      "they are what "
       "Simulation.restore() goes back with. Loads of the program's own are not among them.");
 }
 

@@ -168,7 +168,17 @@ void bind_joints(Class& simulation) {
            "Moves a coordinate that the scenario leaves to the program from the next step on: the "
            "acceleration stays as it is given. It must go on from where it is, with its rate.")
       .def("set_joint_course", alone(&Simulation::set_joint_course), "tree"_a, "joint"_a,
-           "coordinate"_a, "course"_a, "Moves it by a curve over time [s].");
+           "coordinate"_a, "course"_a, "Moves it by a curve over time [s].")
+      .def(
+          "set_joint_torque",
+          [](UsedSimulation& s, int tree, int joint, double torque, int coordinate) {
+            const Use use(s);
+            const py::gil_scoped_release unlocked;
+            set_joint_torque(s, tree, joint, coordinate, torque);
+          },
+          "tree"_a, "joint"_a, "torque"_a, "coordinate"_a = 0,
+          "Adds a torque [N m], or the force of a joint that slides [N], to what acts on a free "
+          "coordinate of a joint, from the next step on and until it is set again.");
 }
 
 void bind_steps(Class& simulation) {

@@ -112,7 +112,104 @@ duration = 2.0
 )");
 }
 
+/// An arm of two bodies on a wall; `shoulder`, `elbow`: further keys of its joints.
+std::string arm(const std::string& shoulder = "", const std::string& elbow = "") {
+  return R"(
+world = "space"
+[hub.drive]
+kind = "fixed"
+[gravity]
+acceleration = [0.0, 0.0, -9.81]
+[[subsystem]]
+name = "arm"
+body = [
+  { name = "upper", kind = "rigid", mass = 2.0, center = [0.5, 0.0, 0.0], inertia = 0.2 },
+  { name = "fore", kind = "rigid", mass = 1.0, center = [0.3, 0.0, 0.0], inertia = 0.05 }]
+[[subsystem.joint]]
+name = "shoulder"
+parent = "hub"
+child = "upper"
+kind = "revolute"
+axis = [0.0, 1.0, 0.0]
+)" + shoulder +
+         R"(
+[[subsystem.joint]]
+name = "elbow"
+parent = "upper"
+child = "fore"
+kind = "cylindrical"
+axis = [0.0, 1.0, 0.0]
+offset = [1.0, 0.0, 0.0]
+)" + elbow +
+         "[integration]\nstep = 0.005\nduration = 1.0\n";
+}
+
 }  // namespace
+
+TEST_CASE("a torque that the program adds to a joint is that of the scenario") {
+  Simulation given = make(arm("torque = -12.0\n", "torque = -3.0\nforce = 1.5\n"));
+  Simulation set = make(arm());
+  set_joint_torque(set, 0, 0, 0, -12.0);
+  set_joint_torque(set, 0, 1, 0, -3.0);
+  set_joint_torque(set, 0, 1, 1, 1.5);
+  Simulation clone = set.clone();
+  for (Simulation* simulation : {&given, &set, &clone}) simulation->run_until(0.5);
+  CHECK(set.state_hash() == given.state_hash());
+  CHECK(clone.state_hash() == given.state_hash());
+  CHECK(set.sensor("energy.work") == given.sensor("energy.work"));
+  CHECK(std::abs(set.sensor("energy.residual")) < 1e-3 * set.sensor("energy.kinetic"));
+  // One that is set once more takes the place of the one before.
+  set_joint_torque(set, 0, 0, 0, 4.0);
+  set_joint_torque(clone, 0, 0, 0, 1.0);
+  set_joint_torque(clone, 0, 0, 0, 4.0);
+  set.run_until(0.8);
+  clone.run_until(0.8);
+  CHECK(set.state_hash() == clone.state_hash());
+}
+
+TEST_CASE("torques that hold an arm find its place, and states go back to theirs") {
+  Simulation simulation =
+      make(arm("damping = 0.5\n", "stiffness = [20.0, 50.0]\ndamping = [1.0, 5.0]\n"));
+  const int shoulder = simulation.joint_index(0, "shoulder");
+  const auto go_on = [&](double until) {
+    while (simulation.time() < until - 1e-9) {
+      const CoordinateMotion now = simulation.joint_motion(0, shoulder);
+      set_joint_torque(simulation, 0, shoulder, 0,
+                       -400.0 * (now.value + 0.3) - 60.0 * now.velocity);
+      simulation.step();
+    }
+    return simulation.state_hash();
+  };
+  go_on(0.4);
+  const SavedState state = simulation.save();
+  const Courses in_force = courses(simulation);
+  REQUIRE(in_force.torques.size() == 1);
+  const std::uint64_t expected = go_on(0.6);
+  set_joint_torque(simulation, 0, 1, 1, 30.0);  // ends where the courses do not name it
+  go_on(0.7);
+  restore(simulation, state, in_force);
+  CHECK(go_on(0.6) == expected);
+  go_on(1.0);
+  CHECK(std::abs(simulation.joint_motion(0, shoulder).velocity) < 0.05);
+  CHECK(simulation.sensor("arm.shoulder") == simulation.joint_motion(0, shoulder).value);
+}
+
+TEST_CASE("torques are refused where no motor can be") {
+  const auto refusal = [](const std::string& text, int joint, int coordinate, double torque) {
+    Simulation simulation = make(text);
+    return message_of([&] { set_joint_torque(simulation, 0, joint, coordinate, torque); });
+  };
+  CHECK(contains(refusal(planar(""), 0, 0, 1.0), "in the plane"));
+  CHECK(contains(refusal(arm(), 0, 1, 1.0), "the coordinate of the joint"));
+  CHECK(contains(refusal(arm(), 5, 0, 1.0), "the index of the joint"));
+  CHECK(contains(refusal(arm(), 1, 1, std::numeric_limits<double>::quiet_NaN()), "is not finite"));
+  CHECK(contains(refusal(arm("motion = { constant = 0.1 }\n"), 0, 0, 1.0), "prescribed motion"));
+  const Simulation ball = make("world = \"space\"\n" + kTurnedHub + kBooms +
+                               "[[blade.joint]]\nname = \"ball\"\nstation = 0.0\nkind = "
+                               "\"spherical\"\nstiffness = 3.0\n"
+                               "[integration]\nstep = 0.005\nduration = 1.0\n");
+  CHECK(contains(message_of([&] { ball.joint_motion(0, 0); }), "rotation in space"));
+}
 
 TEST_CASE("a factor of loads that the program sets is that of the scenario") {
   for (const auto& texts : {std::pair{planar(""), planar(half_at_once())},

@@ -156,6 +156,25 @@ def test_a_program_multiplies_loads_of_the_scenario():
         sim.set_load_factor("brakes", 1.0)
 
 
+def test_a_program_is_the_motor_of_a_joint():
+    """A torque from the program lifts an arm as the one of the scenario does."""
+    def arm(**joint):
+        return spoke.Simulation({
+            "world": "space", "hub": {"drive": {"kind": "fixed"}},
+            "gravity": {"acceleration": [0.0, 0.0, -9.81]},
+            "subsystem": [{"name": "arm", "body": [{
+                "name": "upper", "kind": "rigid", "mass": 2.0, "center": [0.5, 0.0, 0.0], "inertia": 0.2}],
+                "joint": [{"name": "shoulder", "parent": "hub", "child": "upper", "kind": "revolute",
+                           "axis": [0.0, 1.0, 0.0], **joint}]}],
+            "integration": {"step": 0.005, "duration": 0.5}})
+    given, own = arm(torque=-12.0), arm()
+    own.set_joint_torque(0, own.joint_index(0, "shoulder"), -12.0)
+    given.run()
+    own.run()
+    assert own.sensor("arm.shoulder") == given.sensor("arm.shoulder")
+    assert own.joint_motion(0, 0).value == own.sensor("arm.shoulder")
+
+
 def test_values_set_take_precedence():
     four, eight = (spoke.Simulation(ROTOR, set={"blade.bodies": n}).coordinates for n in (4, 8))
     assert eight == 2 * four

@@ -16,7 +16,7 @@
 namespace spoke::fmu {
 namespace {
 
-constexpr std::string_view kMark = "SPOKEFMU3\n";
+constexpr std::string_view kMark = "SPOKEFMU4\n";
 constexpr const char* kName = "the serialized state";
 
 [[noreturn]] void fail(const std::string& why) {
@@ -169,6 +169,12 @@ std::string write_state(const ModelState& state, const std::string& token) {
     writer.add(load.factor);
   }
   add(state.courses.wind, writer);
+  writer.add(std::uint64_t{state.courses.torques.size()});
+  for (const JointTorque& torque : state.courses.torques) {
+    for (const int index : {torque.tree, torque.joint, torque.coordinate})
+      writer.add(static_cast<std::uint64_t>(index));
+    writer.add(torque.torque);
+  }
   writer.add(std::string_view(make_checkpoint(state.simulation)));
   const std::string& bytes = writer.bytes();
   Writer hash;
@@ -213,6 +219,13 @@ ModelState read_state(std::string_view bytes, const std::string& token, const Dr
     load.factor = reader.real();
   }
   state.courses.wind = read_wind(reader);
+  state.courses.torques.resize(reader.count());
+  for (JointTorque& torque : state.courses.torques) {
+    torque.tree = reader.index();
+    torque.joint = reader.index();
+    torque.coordinate = reader.index();
+    torque.torque = reader.real();
+  }
   state.simulation = parse_checkpoint(reader.text(), kName).state;
   return state;
 }

@@ -137,6 +137,36 @@ TEST_CASE("a joint reaches its velocity, or has its acceleration, over each step
   }
 }
 
+TEST_CASE("a motor on a joint is that of a program, and is taken back with the state") {
+  const std::string arm = R"(
+world = "space"
+[hub.drive]
+kind = "fixed"
+[[subsystem]]
+name = "arm"
+body = [{ name = "upper", kind = "rigid", mass = 2.0, center = [0.5, 0.0, 0.0], inertia = 0.2 }]
+joint = [{ name = "shoulder", parent = "hub", child = "upper", kind = "revolute", axis = [0, 1, 0] }]
+[integration]
+step = 0.004
+duration = 1.0
+)";
+  CHECK(names_of(fmu::choose_inputs(simulate(arm), {})) == Names{"drive.speed"});
+  CHECK(fmu::choose_inputs(simulate(arm), {"arm.shoulder.torque"})[0]->unit == "N m");
+  const UnpackedFmu unpacked(arm, {"arm.shoulder.torque"});
+  const LoadedFmu fmu(unpacked.folder());
+  FmuInstance instance(fmu);
+  CHECK(instance.initialize() == kOk);
+  Simulation simulation = simulate(arm);
+  for (int k = 0; k < 20; ++k) {
+    const double torque = std::sin(0.3 * k);
+    CHECK(instance.set({"arm.shoulder.torque"}, {torque}) == kOk);
+    CHECK(instance.step(0.008 * k, 0.008) == kOk);
+    set_joint_torque(simulation, 0, 0, 0, torque);
+    simulation.run_until(0.008 * (k + 1));
+    CHECK(instance.get({"arm.shoulder"})[0] == simulation.sensor("arm.shoulder"));
+  }
+}
+
 TEST_CASE("a course of speed passes through angle and speed, at constant acceleration") {
   for (const double t : {0.0, 1e-3, 0.7, 3600.0})
     for (const double angle : {0.0, -2.5, 12.0, 1e5})

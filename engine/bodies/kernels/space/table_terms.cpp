@@ -124,7 +124,7 @@ std::array<double, space::Joint::kMost> calc_motors(const space::TreeJoint& join
   assert(joint.course.efforts.size() <= space::Joint::kMost);
   std::array<double, space::Joint::kMost> motor{};
   for (std::size_t c = 0; c < joint.course.efforts.size(); ++c)
-    motor[c] = joint.course.efforts[c].value(t);
+    motor[c] = joint.course.efforts[c].value(t) + joint.course.added[c];
   return motor;
 }
 

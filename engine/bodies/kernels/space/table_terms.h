@@ -45,7 +45,8 @@ struct ShiftedJoint {
   ShiftedJoint& operator=(const ShiftedJoint&) = delete;
 };
 
-/// Returns the forces of the motors on a joint's coordinates at time t [s].
+/// Returns the forces of the motors on a joint's coordinates at time t [s], with those that the
+/// program adds.
 std::array<double, space::Joint::kMost> calc_motors(const space::TreeJoint& joint,
                                                     double t) noexcept;
 
