@@ -61,6 +61,22 @@ std::string_view base_name(SupportBase base) {
   return base == SupportBase::ground ? "ground" : "fuselage";
 }
 
+int count_rotors(const Model& model) { return 1 + static_cast<int>(model.rotors.size()); }
+
+const Hub& hub_of(const Model& model, int rotor) {
+  assert(rotor >= 0 && rotor < count_rotors(model));
+  return rotor == 0 ? model.hub : model.rotors[static_cast<std::size_t>(rotor) - 1].hub;
+}
+
+const Axle& axle_of(const Model& model, int rotor) {
+  assert(rotor >= 0 && rotor < count_rotors(model) && model.support);
+  return rotor == 0 ? model.support->axle : model.rotors[static_cast<std::size_t>(rotor) - 1].axle;
+}
+
+std::string prefix_of_rotor(const Model& model, int rotor) {
+  return rotor == 0 ? "" : hub_of(model, rotor).name + '.';
+}
+
 bool is_support(const Model& model, const Subsystem& subsystem) {
   return model.support && &subsystem == &model.subsystems.back();
 }

@@ -229,6 +229,7 @@ struct Blade {
   std::vector<Loop> loops{};         ///< closed loops, as of subsystems
   /// What air does to it, if there is any (Model::air); none: air does nothing.
   std::optional<BladeAerodynamics> aerodynamics{};
+  int rotor = 0;  ///< number of the rotor whose hub carries it, see hub_of()
 };
 
 /// A body of a subsystem.
@@ -258,6 +259,7 @@ struct Subsystem {
   /// Angle about the hub's axis by which its joints on the hub and what its loops have on the hub,
   /// the mount and anchors are turned; added to the hub's angle for AzimuthMotion [rad].
   double azimuth = 0.0;
+  int rotor = 0;  ///< number of the rotor whose hub carries it, see hub_of(); of a support 0
 };
 
 /// Springs and dampers between the mount and the axle, and what stands on them: the short form of a
@@ -325,6 +327,8 @@ SPOKE_EXPORT std::string_view base_name(SupportBase base);
 /// The hub, to which blades and subsystems are fixed. Its frame is the inertial one at t = 0, but
 /// for the motions of mount and support.
 struct Hub {
+  /// Name of its rotor, unlike that of any other; may be empty where there is one rotor.
+  std::string name{};
   HubSupport support = HubSupport::axle;  ///< how it is held: an axle, or free in space
   /// Axis of the drive and of the blades, of any length but zero.
   Vector axis = Vector::UnitZ();
@@ -337,6 +341,13 @@ struct Hub {
   Vector velocity = Vector::Zero();                 ///< velocity of a free hub at t = 0 [m/s]
   /// Angular velocity of a free hub at t = 0 [rad/s].
   Vector angular_velocity = Vector::Zero();
+};
+
+/// A rotor on a support besides the one of Model::hub: a hub on an axle of its own. Blades,
+/// subsystems and loads name it by its number.
+struct Rotor {
+  Hub hub{};    ///< its name is not empty; it is on an axle, and has no mount
+  Axle axle{};  ///< where the support carries it
 };
 
 /// Frame in which a load is resolved.
@@ -401,6 +412,7 @@ struct HubLoad {
   double ramp = 0.0;               ///< duration of the smooth rise, as in PointLoad [s]
   Curve factor{1.0};               ///< dimensionless function of time
   std::string name{};              ///< as in PointLoad
+  int rotor = 0;                   ///< number of the rotor on whose hub it acts, see hub_of()
 };
 
 /// A hub with the bodies it carries, and the loads on them.
@@ -412,6 +424,7 @@ struct Model {
   /// What carries the hub's axle, together with the last subsystem; none: the axle is held in
   /// space, or moved by its mount.
   std::optional<Support> support = std::nullopt;
+  std::vector<Rotor> rotors{};      ///< rotors on the support besides that of `hub`
   Vector gravity = Vector::Zero();  ///< gravitational acceleration, inertial frame [m/s^2]
   /// Duration of gravity's smooth rise from 0, calc_rise() [s].
   double gravity_ramp = 0.0;
@@ -424,6 +437,15 @@ struct Model {
   std::optional<Air> air = std::nullopt;                     ///< around the blades; none: vacuum
 };
 
+/// Returns the number of rotors: 1, or more on a support.
+SPOKE_EXPORT int count_rotors(const Model& model);
+/// Return the hub of a rotor, and on a support its axle, by its number: 0 is that of Model::hub,
+/// others are Model::rotors[number - 1].
+SPOKE_EXPORT const Hub& hub_of(const Model& model, int rotor);
+SPOKE_EXPORT const Axle& axle_of(const Model& model, int rotor);
+/// Returns what comes before "hub" and "axle" in the names of a rotor's hub and axle: nothing for
+/// the first one, "tail." for one by the name "tail".
+SPOKE_EXPORT std::string prefix_of_rotor(const Model& model, int rotor);
 /// Returns whether a subsystem of a model is the tree of its support.
 SPOKE_EXPORT bool is_support(const Model& model, const Subsystem& subsystem);
 /// Returns the key of a subsystem in a scenario, by its index: "subsystem.2", or "support".

@@ -41,6 +41,7 @@ FUNCTIONS = {
     "material": (["subsystem.body.material"], "The material of a solid."),
     "interface": (["subsystem.body.interface"], "An interface of a solid."),
     "support": (["support"], "What carries the hub's axle, in space."),
+    "rotor": (["rotor"], "One of several rotors on a support: a hub on its own axle, and blades."),
     "axle": (["support.axle"], "Where a support carries the hub."),
     "gravity": (["gravity"], "Gravity."),
     "damping": (["damping"], "Damping of the deformation of bodies."),

@@ -25,7 +25,12 @@ std::string find_owner(const std::string& name) {
 bool has_statistics(const std::string& name) {
   constexpr std::array<std::string_view, 4> kNames{"air.power", "air.thrust", "hub.speed",
                                                    "control.pitch.angle"};
-  return std::find(kNames.begin(), kNames.end(), name) != kNames.end() || !find_owner(name).empty();
+  // Those of further rotors have its name before: "tail.air.power".
+  const auto is_shown = [&name](std::string_view shown) {
+    return name.ends_with(shown) &&
+           (name.size() == shown.size() || name[name.size() - shown.size() - 1] == '.');
+  };
+  return std::any_of(kNames.begin(), kNames.end(), is_shown) || !find_owner(name).empty();
 }
 
 /// Returns the axes of the root of a blade or another subsystem, as columns in the hub's frame; the

@@ -25,9 +25,9 @@ namespace {
 /// come too late for them.
 void require_azimuth_motion(const SystemContext<Space>& context) {
   if (!std::holds_alternative<Rk4>(context.integrator.method)) return;
-  if (prescribes_motion(drive_of(context.system))) return;
   for (const Subsystem<Space>& subsystem : context.system.subsystems)
-    if (follows_azimuth(subsystem))
+    if (follows_azimuth(subsystem) &&
+        !prescribes_motion(drive_of(context.system, std::max(subsystem.rotor, 0))))
       throw InputError(
           "integration.method: is \"rk4\" where a joint's motion follows the azimuth of a hub "
           "that no drive prescribes the rotation of, expected \"generalized_alpha\"");
@@ -111,8 +111,9 @@ void SpatialModel::calc_shape(int index, double t, TreeShape& shape) {
   update_rotors(context_.system, t, context_.data);
   prescribe_joints(context_.system, t, i, context_.data);
   const bool is_support = i + 1 == context_.data.subsystems.size() && scenario_.space->support;
-  const spatial::Tensor to_hub = is_support ? spatial::Tensor(spatial::Tensor::Identity())
-                                            : rotor_placement(scenario_.space->hub).rotation;
+  const spatial::Tensor to_hub =
+      is_support ? spatial::Tensor(spatial::Tensor::Identity())
+                 : rotor_placement(hub_of(*scenario_.space, (*trees_)[i].rotor)).rotation;
   spoke::calc_shape(subsystem, data, to_hub, shape);
 }
 

@@ -51,10 +51,22 @@ SpatialSensors::SpatialSensors(const System<Space>& system, const std::vector<sp
     for (const char* axis : {"x", "y", "z"}) add(name + ".root.moment." + axis, "N m");
     add_joints(tree);
   }
+  add_other_hubs(trees);
   add_actors(ColumnPlace::behind_joints, data);
   if (momentum_.are_there()) add_momentum_columns();
   add_actors(ColumnPlace::last, data);
   for (const SensorColumn& column : asked_) add(column.name, column.unit);
+}
+
+void SpatialSensors::add_other_hubs(const std::vector<spatial::Tree>& trees) {
+  for (const spatial::Tree& tree : trees)
+    for (const spatial::TreeBody& body : tree.bodies) {
+      if (body.rotor < 1) continue;
+      for (const char* axis : {".x", ".y", ".z"}) add(body.name + axis, "m");
+      add(body.name + ".angle", "rad");
+      add(body.name + ".speed", "rad/s");
+      add(body.name + ".torque", "N m");
+    }
 }
 
 void SpatialSensors::add_joints(const spatial::Tree& tree) {
@@ -99,30 +111,35 @@ const std::vector<double>& SpatialSensors::measure(const System<Space>& system,
   values_.clear();
   for (const SubsystemData<Space>& subsystem : data.subsystems)
     append(of_step(subsystem.samples, step).tip);
-  const bool has_rotor = !system.rotors.empty();
-  if (has_rotor) append(space::Position(linear(record.rotor.position)));
+  const RotorRecord<Space>* const rotor =
+      system.rotors.empty() ? nullptr : &of_step(data.rotors.front().records, step);
+  if (rotor) append(space::Position(linear(rotor->position)));
   if (system.hub.support == HubSupport::free) {
     append(space::Position(linear(record.position)));
     append(logarithm(record.hub_rotation));
     append(space::Angular(angular(record.velocity)));
   }
-  if (has_rotor) {
-    append(std::array{record.rotor.position[Space::kAxial], record.rotor.velocity[Space::kAxial]});
+  if (rotor) {
+    append(std::array{rotor->position[Space::kAxial], rotor->velocity[Space::kAxial]});
   } else if (system.hub.support == HubSupport::free) {
     append(std::array{logarithm(record.hub_rotation).norm(), angular(record.velocity).norm()});
   } else {
     append(std::array{record.position[Space::kAxial], record.velocity[Space::kAxial]});
   }
-  const double torque = has_rotor
-                            ? record.rotor.reaction[Space::kAxial] + record.rotor.applied_torque
-                            : record.reaction[Space::kAxial] + record.applied_torque;
-  values_.push_back(torque);
+  values_.push_back(rotor ? rotor->reaction[Space::kAxial] + rotor->applied_torque
+                          : record.reaction[Space::kAxial] + record.applied_torque);
   const Energies energies = sum_energies(calc_hub_energies(system, record), step, data);
   append_energies(energies, work);
   for (std::size_t i = 0; i < data.subsystems.size(); ++i) {
     append(of_step(data.subsystems[i].samples, step).root);
     const double* joints = readings_of(data.subsystems[i], step);
     values_.insert(values_.end(), joints, joints + joint_values_[i]);
+  }
+  for (std::size_t r = 1; r < data.rotors.size(); ++r) {
+    const RotorRecord<Space>& other = of_step(data.rotors[r].records, step);
+    append(space::Position(linear(other.position)));
+    append(std::array{other.position[Space::kAxial], other.velocity[Space::kAxial],
+                      other.reaction[Space::kAxial] + other.applied_torque});
   }
   append_actors(ColumnPlace::behind_joints, step, data);
   if (momentum_.are_there()) {

@@ -137,8 +137,9 @@ template <class World>
 Wrench calc_hub_reaction(const StepData<World>& data) {
   if constexpr (tree::kHasJointCoordinates<World>)
     if (!data.rotors.empty()) {
-      TwistOf<World> wrench = data.evaluated.rotor.reaction;
-      wrench[World::kAxial] += data.evaluated.rotor.applied_torque;
+      const RotorRecord<World>& rotor = data.rotors.front().evaluated;
+      TwistOf<World> wrench = rotor.reaction;
+      wrench[World::kAxial] += rotor.applied_torque;
       return wrench_in_space(TwistOf<World>(data.rotors.front().hub.R * wrench));
     }
   TwistOf<World> wrench = data.evaluated.reaction;

@@ -22,12 +22,13 @@ struct Assembly : PassNodes {
   const SubsystemParts& subsystem(int i) const { return c.data.subsystems[i].parts; }
 };
 
-/// Returns the rotor whose support subsystem `i` is; -1: none.
+/// Returns the label of a node of rotor `r`: of the first one the stage alone, of others with the
+/// body that is the hub.
 template <class World>
-int find_supported(const Assembly<World>& g, int i) {
-  for (std::size_t r = 0; r < g.c.system.rotors.size(); ++r)
-    if (g.c.system.rotors[r].subsystem == i) return static_cast<int>(r);
-  return -1;
+graph::NodeLabel label_of_rotor(const Assembly<World>& g, const Stage& stage, int r) {
+  if (r == 0) return g.label(stage);
+  const SupportedRotor& rotor = g.c.system.rotors[static_cast<std::size_t>(r)];
+  return g.label(stage, rotor.subsystem, rotor.body);
 }
 
 /// Adds the nodes of the actors for subsystem `i` at this place of the pass.

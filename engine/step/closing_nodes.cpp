@@ -58,7 +58,8 @@ void add_finish(const Assembly<World>& g) {
   PartList outputs{parts.progress, parts.records}, supports;
   for (std::size_t r = 0; r < parts.rotors.size(); ++r) {
     const SubsystemParts& support = g.subsystem(c.system.rotors[r].subsystem);
-    graph::add_to(outputs, parts.rotors[r].hub, support.rotations, support.twists);
+    graph::add_to(outputs, parts.rotors[r].hub, parts.rotors[r].records, support.rotations,
+                  support.twists);
     supports.push_back(support.wrenches);
     for (const auto member : {&BodyParts::coordinates, &BodyParts::accelerations})
       for (const PartId part : support.all(member)) supports.push_back(part);
@@ -87,7 +88,7 @@ void add_finish(const Assembly<World>& g) {
         if (is_corrected) c.data.hub = calc_hub_state(c.data);
         const double t = static_cast<double>(progress.completed) * step_size(c.integrator);
         update_rotors(c.system, t, c.data);
-        record_rotor(c.system, t, c.data, of_step(c.data.records, progress.completed));
+        record_rotors(c.system, t, progress.completed, c.data);
       });
 }
 

@@ -41,7 +41,7 @@ void add_rotor_motion(const Assembly<World>& g, int r) {
   const bool has_implicit = std::holds_alternative<GeneralizedAlpha>(c.integrator.method);
   StepProgress& progress = c.data.progress[0];
   g.builder.add_node(
-      g.label(stages::kHubMotion),
+      label_of_rotor(g, stages::kHubMotion, r),
       reads(g.parts().progress, parts_of_rotor_place(c.system, index, has_implicit, c.data)),
       updates(hub), unless_halted(progress, [&c, &progress, index]() noexcept {
         place_rotor(c.system, index, progress.control.time, progress.control.is_implicit, c.data);

@@ -68,11 +68,8 @@ void share_out(Exchange& exchange, SystemContext<World>& context) {
   StepData<World>& data = context.data;
   const std::vector<int> first = share_out(weights_of(data), exchange.count());
   // All processes condense the supports.
-  const auto inertia = [&data, &rotors = context.system.rotors](std::size_t i) {
-    if (std::any_of(rotors.begin(), rotors.end(), [i](const SupportedRotor& rotor) {
-          return std::cmp_equal(rotor.subsystem, i);
-        }))
-      return MemoryPieces{};
+  const auto inertia = [&data, &system = context.system](std::size_t i) {
+    if (carries_rotor(system, static_cast<int>(i))) return MemoryPieces{};
     return MemoryPieces{bytes_of(data.subsystems[i].effective)};
   };
   const auto reports = [&data](std::size_t i) {

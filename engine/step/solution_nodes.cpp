@@ -110,7 +110,7 @@ void add_effective(const Assembly<World>& g, int i) {
   SubsystemData<World>& data = g.c.data.subsystems[i];
   const auto add = [&](auto condense, auto& work, const graph::Writes& outputs) {
     g.builder.add_node(
-        g.label(find_supported(g, i) < 0 ? stages::kEffective : stages::kSupportEffective, i),
+        g.label(carries_rotor(g.c.system, i) ? stages::kSupportEffective : stages::kEffective, i),
         inputs, outputs,
         unless_halted(*data.progress, [&subsystem, &data, condense, &work]() noexcept {
           condense(subsystem, data, work);
@@ -128,7 +128,7 @@ void add_rotor_sum(const Assembly<World>& g, int r) {
   const auto index = static_cast<std::size_t>(r);
   SystemContext<World>& c = g.c;
   const bool is_condensed = c.formulation != Formulation::augmented;
-  g.builder.add_node(g.label(stages::kRotorSum),
+  g.builder.add_node(label_of_rotor(g, stages::kRotorSum, r),
                      reads(g.parts().progress, parts_of_rotor_sum(index, is_condensed, c.data)),
                      updates(g.parts().rotors[index].carried),
                      unless_halted(c.data.progress[0], [&c, index, is_condensed]() noexcept {
@@ -216,7 +216,7 @@ void add_recovery(const Assembly<World>& g, int i, int j) {
   const Method& method = c.integrator.method;
   const auto add = [&](auto recover) {
     const auto [inputs, outputs] = recovery_access(g, i, j);
-    const char* stage = find_supported(g, i) < 0 ? stages::kRecovery : stages::kSupportRecovery;
+    const char* stage = carries_rotor(g.c.system, i) ? stages::kSupportRecovery : stages::kRecovery;
     g.builder.add_node(g.label(stage, i, j), reads(inputs), writes(outputs),
                        unless_halted(*data.progress, [&data, &method, j, recover]() noexcept {
                          recover(data.bodies[j]);

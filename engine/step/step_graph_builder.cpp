@@ -181,15 +181,15 @@ struct Extent {
 
 template <class World>
 void add_coupled_pass(const Assembly<World>& g, const Extent& own) {
-  const int rotors = static_cast<int>(g.c.system.rotors.size());
-  // Each process goes through the supports, and through its own subsystems on hubs.
+  // Each process goes through the supports, and through its own subsystems on hubs. A support comes
+  // behind the one that carries it.
+  const std::vector<int> supports = find_supports(g.c.system);
   const auto for_supports = [&](auto add) {
-    for (int r = 0; r < rotors; ++r)
-      add(g, g.c.system.rotors[static_cast<std::size_t>(r)].subsystem);
+    for (const int i : supports) add(g, i);
   };
   const auto for_others = [&](auto add) {
     for (int i = own.first; i < own.last; ++i)
-      if (find_supported(g, i) < 0) add(g, i);
+      if (!carries_rotor(g.c.system, i)) add(g, i);
   };
   const auto for_each = [&](auto add) {
     for_others(add);
@@ -198,8 +198,10 @@ void add_coupled_pass(const Assembly<World>& g, const Extent& own) {
   for_each(
       [](const Assembly<World>& pass, int i) { add_actors(pass, PassPlace::before_motion, i); });
   add_hub_motion(g);
-  for_supports(add_motion<World>);
-  for (int r = 0; r < rotors; ++r) add_rotor_motion(g, r);
+  for_supports([](const Assembly<World>& pass, int i) {
+    add_motion(pass, i);
+    for (const int r : find_rotors_on(pass.c.system, i)) add_rotor_motion(pass, r);
+  });
   for_others(add_motion<World>);
   for_each([](const Assembly<World>& pass, int i) { add_actors(pass, PassPlace::on_motion, i); });
   for_each(add_applied_forces<World>);
@@ -217,11 +219,13 @@ void add_coupled_pass(const Assembly<World>& g, const Extent& own) {
         own.sharing->forces ? PartList{g.parts().flight_acceleration} : PartList{};
     PartList inertias;
     for (int i = 0; std::cmp_less(i, g.c.data.subsystems.size()); ++i)
-      if (find_supported(g, i) < 0) inertias.push_back(g.subsystem(i).effective);
+      if (!carries_rotor(g.c.system, i)) inertias.push_back(g.subsystem(i).effective);
     add_share(g, stages::kShareInertias, inertias, own.sharing->inertias, behind);
   }
-  for (int r = 0; r < rotors; ++r) add_rotor_sum(g, r);
-  for_supports(add_condensation<World>);
+  for (auto i = supports.rbegin(); i != supports.rend(); ++i) {
+    for (const int r : find_rotors_on(g.c.system, *i)) add_rotor_sum(g, r);
+    add_condensation(g, *i);
+  }
   if (g.c.formulation == Formulation::augmented)
     add_augmented_solve(g);
   else

@@ -101,7 +101,8 @@ void read_world(const TomlDocument& document, const TomlSection& root, const std
     if (const std::string path = find_solid(document.root()); !path.empty())
       root.fail_at(path, "is \"solid\", and solids belong to world = \"space\"");
     refuse("subsystem", "\"space\"");
-    for (const char* key : {"support", "control", "air", "wind", "aerodynamics", "airfoil"})
+    for (const char* key :
+         {"support", "rotor", "control", "air", "wind", "aerodynamics", "airfoil"})
       refuse(key, "\"space\"");
     if (has_suspension(document.root()))
       root.fail_at("hub.suspension", "belongs to another world, expected world = \"space\"");

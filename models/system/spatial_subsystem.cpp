@@ -28,9 +28,8 @@ class SubsystemMaker {
       : tree_(tree),
         to_axis_(setting.to_axis),
         centre_(setting.centre),
-        rotor_(setting.rotor),
+        rotors_(setting.rotors),
         is_alone_(setting.is_alone),
-        drive_(setting.drive),
         placements_(calc_placements(tree)),
         places_(find_places(tree)),
         shared_(made) {
@@ -62,6 +61,12 @@ class SubsystemMaker {
   }
   const spatial::SolidPart* solid(std::size_t j) const {
     return std::get_if<spatial::SolidPart>(&body(j).shape);
+  }
+
+  /// Whether a body is the hub of a rotor that turns on its axle.
+  bool is_hub(std::size_t j) const { return body(j).is_hub() && !is_alone_; }
+  const CarriedRotor& rotor_of(std::size_t j) const {
+    return rotors_[static_cast<std::size_t>(body(j).rotor)];
   }
 
   /// Returns the bodies that are parts of a beam, from its root to its tip.
@@ -205,8 +210,7 @@ class SubsystemMaker {
       return;
     }
     const auto& rigid = std::get<spatial::RigidBody>(body(j).shape);
-    space::RigidBody shape{rigid.mass, rigid.center, rigid.inertia,
-                           {},         rigid.spin,   body(j).is_hub && !is_alone_};
+    space::RigidBody shape{rigid.mass, rigid.center, rigid.inertia, {}, rigid.spin, is_hub(j)};
     for (const int c : made.children)
       shape.outboard.emplace_back(body(static_cast<std::size_t>(c)).placement.position);
     for (const spatial::TreePlace* place : places_[j])
@@ -241,7 +245,7 @@ class SubsystemMaker {
     if (body(j).joint.hold)
       made.joint.course.held =
           body(j).joint.name.empty() ? "that of " + body(j).name : body(j).joint.name;
-    if (body(j).is_hub && !is_alone_) made.joint.course.drive = drive_;
+    if (is_hub(j)) made.joint.course.drive = rotor_of(j).drive;
   }
 
   space::JointCourse make_course(const spatial::Joint& joint) const {
@@ -333,9 +337,8 @@ class SubsystemMaker {
   std::vector<spatial::MassProperties> calc_masses() const {
     std::vector<spatial::MassProperties> masses;
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j)
-      masses.push_back(
-          (body(j).is_hub && !is_alone_ ? rotor_ : calc_mass_properties(tree_, body(j)))
-              .seen_from_outside(placements_[j]));
+      masses.push_back((is_hub(j) ? rotor_of(j).mass : calc_mass_properties(tree_, body(j)))
+                           .seen_from_outside(placements_[j]));
     return masses;
   }
 
@@ -426,9 +429,8 @@ class SubsystemMaker {
   const spatial::Tree& tree_;
   space::Rotation to_axis_;
   space::Position centre_;
-  spatial::MassProperties rotor_;
+  const std::vector<CarriedRotor>& rotors_;
   bool is_alone_;
-  Drive drive_;
   /// Placements of bodies in the frame of the description's hub.
   std::vector<Placement> placements_;
   /// Places of loops by body. They have the handles behind those of its children.

@@ -11,15 +11,19 @@
 
 namespace spoke {
 
+/// A rotor that a support carries.
+struct CarriedRotor {
+  spatial::MassProperties mass{};  ///< with its blades, in its hub's frame H
+  Drive drive = FreeDrive{};
+};
+
 /// What carries a subsystem, and what it carries itself.
 struct SubsystemSetting {
   /// From the frame of the description's hub to H, whose z axis is that of the drive.
   space::Rotation to_axis{};
   /// Point about which the undeformed model turns freely, in H [m].
   space::Position centre = space::Position::Zero();
-  /// Of a support, the mass properties of the rotor that it carries, in the hub's frame H.
-  spatial::MassProperties rotor{};
-  Drive drive = FreeDrive{};  ///< of a support, that of the rotor
+  std::vector<CarriedRotor> rotors{};  ///< of a support, the rotors that it carries
   /// Of a support, whether its hub is an ordinary body, and its axle held.
   bool is_alone = false;
 };

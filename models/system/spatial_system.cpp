@@ -6,7 +6,6 @@
 #include <cassert>
 #include <cmath>
 #include <memory>
-#include <span>
 #include <string>
 #include <utility>
 
@@ -107,13 +106,16 @@ void require_azimuth(const System<Space>& system) {
   }
 }
 
-/// Whether a support is rigid and flies, and the hub with it: its hub moves as a free one does.
-bool is_one_with_fuselage(const spatial::Model& model, const std::vector<spatial::Tree>& trees) {
+/// Whether a support is rigid and flies, and the hub of a rotor with it: that moves as a free one
+/// does.
+bool is_one_with_fuselage(const spatial::Model& model, const std::vector<spatial::Tree>& trees,
+                          int rotor) {
   if (!model.support || model.support->from == spatial::SupportBase::ground ||
-      !std::holds_alternative<FixedDrive>(model.hub.drive))
+      !std::holds_alternative<FixedDrive>(hub_of(model, rotor).drive))
     return false;
   const std::vector<spatial::TreeBody>& bodies = trees.back().bodies;
-  for (int j = bodies.back().parent; j >= 0; j = bodies[static_cast<std::size_t>(j)].parent) {
+  for (int j = bodies[find_hub(trees.back(), rotor)].parent; j >= 0;
+       j = bodies[static_cast<std::size_t>(j)].parent) {
     const spatial::TreeBody& body = bodies[static_cast<std::size_t>(j)];
     if (!std::holds_alternative<spatial::RigidBody>(body.shape) ||
         body.joint.kind != spatial::JointKind::fixed)
@@ -123,11 +125,14 @@ bool is_one_with_fuselage(const spatial::Model& model, const std::vector<spatial
 }
 
 /// Returns the mass of a rotor, hub and blades, and its first moment, in the frame of its hub on a
-/// support; `trees`: those on it. Of a rotor that turns it is the mean over a turn.
-spatial::MassProperties calc_rotor_mass(const spatial::Hub& hub,
-                                        std::span<const spatial::Tree> trees, bool turns) {
+/// support. Of a rotor that turns it is the mean over a turn.
+spatial::MassProperties calc_rotor_mass(const spatial::Model& model,
+                                        const std::vector<spatial::Tree>& trees, int number,
+                                        bool turns) {
+  const spatial::Hub& hub = hub_of(model, number);
   spatial::MassProperties rotor = spatial::make_mass_properties(hub.mass, hub.center, hub.inertia);
-  for (const spatial::Tree& tree : trees) rotor += calc_mass_properties(tree);
+  for (std::size_t i = 0; i + 1 < trees.size(); ++i)  // the last is the support
+    if (trees[i].rotor == number) rotor += calc_mass_properties(trees[i]);
   const space::Rotation to_axis = axis_rotation(hub).inverse();
   rotor.first_moment = to_axis * space::Position(rotor.first_moment);
   if (turns) rotor.first_moment.head<2>().setZero();
@@ -135,33 +140,46 @@ spatial::MassProperties calc_rotor_mass(const spatial::Hub& hub,
   return rotor;
 }
 
-/// The mass centre of a machine that flies, undeformed and with joint coordinates zero: from its
-/// base, and from its hub in H [m].
+/// The mass centre of a machine that flies, undeformed and with joint coordinates zero [m].
 struct MachineCentre {
-  space::Position from_base = space::Position::Zero(), from_hub = space::Position::Zero();
+  space::Position from_base = space::Position::Zero();
+  /// By rotor, from its hub in H; zero where the hub does not move as the base does.
+  std::vector<space::Position> from_hubs{};
 };
 MachineCentre find_machine_centre(const spatial::Model& model,
-                                  const std::vector<spatial::Tree>& trees, bool turns) {
-  if (!model.support || model.support->from == spatial::SupportBase::ground) return {};
+                                  const std::vector<spatial::Tree>& trees) {
+  MachineCentre centre;
+  centre.from_hubs.assign(static_cast<std::size_t>(count_rotors(model)), space::Position::Zero());
+  if (!model.support || model.support->from == spatial::SupportBase::ground) return centre;
   const spatial::Tree& support = trees.back();
   const std::vector<spatial::Placement> placements = calc_placements(support);
-  const spatial::Placement& hub = placements.back();
-  const space::Rotation R{hub.rotation};
-  const spatial::MassProperties rotor =
-      calc_rotor_mass(model.hub, {trees.data(), trees.size() - 1}, turns);
   const spatial::Fuselage& fuselage = model.support->fuselage;
-  double mass = fuselage.mass + rotor.mass;
-  space::Position moment = fuselage.mass * space::Position(fuselage.center) +
-                           rotor.mass * space::Position(hub.position) +
-                           R * space::Position(rotor.first_moment);
-  for (std::size_t j = 0; j + 1 < support.bodies.size(); ++j) {
+  double mass = fuselage.mass;
+  space::Position moment = fuselage.mass * space::Position(fuselage.center);
+  for (int r = 0; r < count_rotors(model); ++r) {
+    const spatial::Placement& hub = placements[find_hub(support, r)];
+    const spatial::MassProperties rotor =
+        calc_rotor_mass(model, trees, r, !is_one_with_fuselage(model, trees, r));
+    mass += rotor.mass;
+    moment += rotor.mass * space::Position(hub.position) +
+              space::Rotation{hub.rotation} * space::Position(rotor.first_moment);
+  }
+  for (std::size_t j = 0; j < support.bodies.size(); ++j) {
+    if (support.bodies[j].is_hub()) continue;
     const spatial::MassProperties body =
         calc_mass_properties(support, support.bodies[j]).seen_from_outside(placements[j]);
     mass += body.mass;
     moment += space::Position(body.first_moment);
   }
-  const space::Position centre = moment / mass;
-  return {centre, R.inverse() * space::Position(centre - space::Position(hub.position))};
+  centre.from_base = moment / mass;
+  for (int r = 0; r < count_rotors(model); ++r)
+    if (is_one_with_fuselage(model, trees, r)) {
+      const spatial::Placement& hub = placements[find_hub(support, r)];
+      centre.from_hubs[static_cast<std::size_t>(r)] =
+          space::Rotation{hub.rotation}.inverse() *
+          space::Position(centre.from_base - space::Position(hub.position));
+    }
+  return centre;
 }
 
 /// Whether all that carries the axle of a rotor moves as prescribed.
@@ -190,10 +208,11 @@ void control_joints(const PitchControl& control, const spatial::Tree& tree,
   }
 }
 
-/// Turns the loads on a hub to loads on the body that is the hub of a support.
-void move_hub_loads(const spatial::Model& model, const space::Rotation& to_axis,
-                    TreeBody<Space>& hub) {
+/// Turns the loads on the hub of a rotor to loads on the body that it is of a support.
+void move_hub_loads(const spatial::Model& model, int rotor, TreeBody<Space>& hub) {
+  const space::Rotation to_axis = axis_rotation(hub_of(model, rotor)).inverse();
   for (const spatial::HubLoad& load : model.hub_loads) {
+    if (load.rotor != rotor) continue;
     const space::HubLoad made = make_hub_load(load, to_axis);
     BodyLoad<Space> moved{
         {},
@@ -207,24 +226,25 @@ void move_hub_loads(const spatial::Model& model, const space::Rotation& to_axis,
   }
 }
 
-/// Makes the support, the last of the trees, and puts the rotor on it.
+/// Makes the support, the last of the trees, and puts the rotors on it.
 void add_support(const spatial::Model& model, const std::vector<spatial::Tree>& trees,
                  const space::Position& centre, SharedBodies& bodies, System<Space>& system) {
-  const std::span rotor(trees.data(), trees.size() - 1);
   const spatial::Tree& tree = trees.back();
-  assert(tree.bodies.back().is_hub);
   system.hub = make_base(*model.support, model.hub);
-  system.subsystems.push_back(make_subsystem(tree,
-                                             {.centre = centre,
-                                              .rotor = calc_rotor_mass(model.hub, rotor, true),
-                                              .drive = model.hub.drive},
-                                             make_body_loads(model, tree, trees.size() - 1),
-                                             bodies));
-  std::vector<TreeBody<Space>>& support = system.subsystems.back().bodies;
-  move_hub_loads(model, axis_rotation(model.hub).inverse(), support.back());
-  system.rotors.push_back(
-      {static_cast<int>(trees.size()) - 1, static_cast<int>(support.size()) - 1});
-  system.rotors.back().is_moved = is_moved(system, system.rotors.back());
+  SubsystemSetting setting{.centre = centre};
+  for (int r = 0; r < count_rotors(model); ++r)
+    setting.rotors.push_back({calc_rotor_mass(model, trees, r, true), hub_of(model, r).drive});
+  system.subsystems.push_back(
+      make_subsystem(tree, setting, make_body_loads(model, tree, trees.size() - 1), bodies));
+  for (int r = 0; r < count_rotors(model); ++r) {
+    const std::size_t hub = find_hub(tree, r);
+    move_hub_loads(model, r, system.subsystems.back().bodies[hub]);
+    SupportedRotor& rotor = system.rotors.emplace_back();
+    rotor.subsystem = static_cast<int>(trees.size()) - 1;
+    rotor.body = static_cast<int>(hub);
+    rotor.is_moved = is_moved(system, rotor);
+    rotor.prefix = prefix_of_rotor(model, r);
+  }
 }
 
 /// Places the aerodynamics of a blade on the bodies of its subsystem; where two bodies meet, a
@@ -261,14 +281,17 @@ const BladeAirModel* find_alike(const spatial::BladeAerodynamics& aerodynamics,
 void add_air(const spatial::Model& model, System<Space>& system) {
   const auto air = std::make_shared<const spatial::Air>(*model.air);
   system.wind = make_wind(air->wind);
-  const auto blades = static_cast<int>(
-      std::count_if(model.blades.begin(), model.blades.end(),
-                    [](const spatial::Blade& blade) { return blade.aerodynamics.has_value(); }));
+  const auto count_in_air = [&model](int rotor) {
+    return static_cast<int>(std::count_if(
+        model.blades.begin(), model.blades.end(), [rotor](const spatial::Blade& blade) {
+          return blade.rotor == rotor && blade.aerodynamics.has_value();
+        }));
+  };
   for (std::size_t i = 0; i < model.blades.size(); ++i)
-    if (model.blades[i].aerodynamics)
-      system.subsystems[i].air = make_blade_air(
-          model.blades[i], air, model.hub.radius, blades,
-          find_alike(*model.blades[i].aerodynamics, system.subsystems), system.subsystems[i]);
+    if (const spatial::Blade& blade = model.blades[i]; blade.aerodynamics)
+      system.subsystems[i].air =
+          make_blade_air(blade, air, hub_of(model, blade.rotor).radius, count_in_air(blade.rotor),
+                         find_alike(*blade.aerodynamics, system.subsystems), system.subsystems[i]);
 }
 
 }  // namespace
@@ -291,14 +314,15 @@ System<Space> make_system(const spatial::Model& model, const std::vector<spatial
       system.hub_loads.push_back(make_hub_load(load, to_axis));
   space::Position centre = space::Position::Zero();
   if (model.hub.support == HubSupport::free) centre = find_mass_centre(model.hub, trees, to_axis);
-  const bool is_fuselage = is_one_with_fuselage(model, trees);
-  const MachineCentre machine = find_machine_centre(model, trees, !is_fuselage);
-  if (is_fuselage) centre = machine.from_hub;
+  const MachineCentre machine = find_machine_centre(model, trees);
   SharedBodies bodies(model.damping, control);
   for (std::size_t i = 0; i < on_hub; ++i) {
-    system.subsystems.push_back(make_subsystem(trees[i], {.to_axis = to_axis, .centre = centre},
-                                               make_body_loads(model, trees[i], i), bodies));
-    if (model.support) system.subsystems.back().rotor = 0;
+    const int rotor = trees[i].rotor;
+    if (model.support) centre = machine.from_hubs[static_cast<std::size_t>(rotor)];
+    system.subsystems.push_back(make_subsystem(
+        trees[i], {.to_axis = axis_rotation(hub_of(model, rotor)).inverse(), .centre = centre},
+        make_body_loads(model, trees[i], i), bodies));
+    if (model.support) system.subsystems.back().rotor = rotor;
     if (model.pitch_control)
       control_joints(*model.pitch_control, trees[i], system.subsystems.back());
   }
@@ -316,7 +340,7 @@ System<Space> make_system(const spatial::Model& model, const std::vector<spatial
 System<Space> make_support_alone(const spatial::Model& model,
                                  const std::vector<spatial::Tree>& trees, const Ballast& ballast,
                                  const solid::Control& control) {
-  assert(model.support && trees.back().bodies.back().is_hub);
+  assert(model.support && model.rotors.empty() && trees.back().bodies.back().is_hub());
   spatial::Tree tree = trees.back();
   spatial::TreeBody& hub = tree.bodies.back();
   hub.shape = spatial::RigidBody{ballast.mass, spatial::Vector::Zero(),
@@ -328,8 +352,7 @@ System<Space> make_support_alone(const spatial::Model& model,
   system.gravity_ramp = model.gravity_ramp;
   system.damping = model.damping;
   SharedBodies bodies(model.damping, control);
-  const MachineCentre machine =
-      find_machine_centre(model, trees, !is_one_with_fuselage(model, trees));
+  const MachineCentre machine = find_machine_centre(model, trees);
   system.subsystems.push_back(make_subsystem(tree, {.centre = machine.from_base, .is_alone = true},
                                              make_body_loads(model, tree, trees.size() - 1),
                                              bodies));
@@ -339,7 +362,7 @@ System<Space> make_support_alone(const spatial::Model& model,
 }
 
 spatial::Model without_support(const spatial::Model& model) {
-  assert(model.support && is_support(model, model.subsystems.back()));
+  assert(model.support && model.rotors.empty() && is_support(model, model.subsystems.back()));
   spatial::Model rotor = model;
   rotor.support.reset();
   rotor.subsystems.pop_back();
@@ -365,16 +388,17 @@ std::vector<int> find_path(const System<Space>& system, const SupportedRotor& ro
   return path;
 }
 
-const Drive& drive_of(const System<Space>& system) {
+const Drive& drive_of(const System<Space>& system, int number) {
+  assert(number == 0 || std::cmp_less(number, system.rotors.size()));
   if (system.rotors.empty()) return system.hub.drive;
-  const SupportedRotor& rotor = system.rotors.front();
+  const SupportedRotor& rotor = system.rotors[static_cast<std::size_t>(number)];
   return *system.subsystems[static_cast<std::size_t>(rotor.subsystem)]
               .bodies[static_cast<std::size_t>(rotor.body)]
               .joint.course.drive;
 }
 
-Drive& drive_of(System<Space>& system) {
-  return const_cast<Drive&>(drive_of(std::as_const(system)));
+Drive& drive_of(System<Space>& system, int number) {
+  return const_cast<Drive&>(drive_of(std::as_const(system), number));
 }
 
 }  // namespace spoke

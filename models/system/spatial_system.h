@@ -40,9 +40,9 @@ spatial::Model without_support(const spatial::Model& model);
 /// Returns the bodies of a support from its base to the hub of a rotor.
 std::vector<int> find_path(const System<Space>& system, const SupportedRotor& rotor);
 
-/// Returns the drive: of the hub, or of the first rotor's axle on a support.
-Drive& drive_of(System<Space>& system);
-const Drive& drive_of(const System<Space>& system);
+/// Returns the drive: of the hub, or of a rotor's axle on a support.
+Drive& drive_of(System<Space>& system, int rotor = 0);
+const Drive& drive_of(const System<Space>& system, int rotor = 0);
 inline Drive& drive_of(System<Plane>& system) { return system.hub.drive; }
 inline const Drive& drive_of(const System<Plane>& system) { return system.hub.drive; }
 

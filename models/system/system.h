@@ -3,7 +3,10 @@
 // The constant data of a simulation: a hub and its subsystems (blades), each a chain of flexible
 // bodies tied by bracket joints, the first tied to the hub.
 
+#include <algorithm>
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "models/control.h"
@@ -46,6 +49,7 @@ struct SupportedRotor {
   /// Whether all that carries the axle moves as prescribed, so that the hub's acceleration is known
   /// in advance.
   bool is_moved = false;
+  std::string prefix{};  ///< of its names, see prefix_of_rotor()
 };
 
 /// A subsystem: a tree of bodies on a hub, parents first; in the plane a chain, root to tip.
@@ -105,6 +109,45 @@ struct System {
     return count;
   }
 };
+
+/// Returns the rotors whose hubs are bodies of subsystem `i`, ascending.
+template <class World>
+std::vector<int> find_rotors_on(const System<World>& system, int i) {
+  std::vector<int> rotors;
+  for (int r = 0; std::cmp_less(r, system.rotors.size()); ++r)
+    if (system.rotors[static_cast<std::size_t>(r)].subsystem == i) rotors.push_back(r);
+  return rotors;
+}
+/// Returns whether there are any.
+template <class World>
+bool carries_rotor(const System<World>& system, int i) {
+  return std::any_of(system.rotors.begin(), system.rotors.end(),
+                     [i](const SupportedRotor& rotor) { return rotor.subsystem == i; });
+}
+
+/// Returns the level of subsystem `i`: 0 on System::hub, else one more than that of the subsystem
+/// whose body is the hub that carries it.
+template <class World>
+int calc_level(const System<World>& system, int i) {
+  int level = 0;
+  for (int r = system.subsystems[static_cast<std::size_t>(i)].rotor; r >= 0; ++level)
+    r = system
+            .subsystems[static_cast<std::size_t>(
+                system.rotors[static_cast<std::size_t>(r)].subsystem)]
+            .rotor;
+  return level;
+}
+/// Returns the subsystems that carry rotors, each behind the one that carries it.
+template <class World>
+std::vector<int> find_supports(const System<World>& system) {
+  std::vector<int> supports;
+  for (int i = 0; std::cmp_less(i, system.subsystems.size()); ++i)
+    if (carries_rotor(system, i)) supports.push_back(i);
+  std::stable_sort(supports.begin(), supports.end(), [&system](int a, int b) {
+    return calc_level(system, a) < calc_level(system, b);
+  });
+  return supports;
+}
 
 /// Returns whether component `c` of the hub's twist (x, y, rotation) is prescribed.
 bool is_prescribed(const Hub& hub, int c);

@@ -30,12 +30,13 @@ std::string find_cause(const std::vector<TreeJoint>& joints, const std::vector<L
 }  // namespace
 
 std::string find_unknown_tension(const Model& model, const Blade& blade) {
-  return is_turned(model.hub) ? find_cause(blade.joints, blade.loops) : kNoDrive;
+  return is_turned(hub_of(model, blade.rotor)) ? find_cause(blade.joints, blade.loops) : kNoDrive;
 }
 
 std::string find_unknown_tension(const Model& model, const Subsystem& subsystem) {
   if (is_support(model, subsystem)) return "the hub does not turn it";
-  return is_turned(model.hub) ? find_cause(subsystem.joints, subsystem.loops) : kNoDrive;
+  return is_turned(hub_of(model, subsystem.rotor)) ? find_cause(subsystem.joints, subsystem.loops)
+                                                   : kNoDrive;
 }
 
 std::string find_joint_or_loop(const Subsystem& subsystem, const std::string& body) {

@@ -166,16 +166,17 @@ Tree build_tree(const Blade& blade, const Model& model, std::size_t number) {
   Tree tree;
   tree.name = "blade " + std::to_string(number);
   tree.azimuth = blade.azimuth;
+  tree.rotor = blade.rotor;
+  const Hub& hub = hub_of(model, blade.rotor);
   const Tensor turned =
       rotation_of(blade.azimuth * Vector::UnitZ()) * rotation_of(-blade.precone * Vector::UnitY());
   const Placement root =
-      rotor_placement(model.hub) * Placement{turned * (model.hub.radius * Vector::UnitX()), turned};
+      rotor_placement(hub) * Placement{turned * (hub.radius * Vector::UnitX()), turned};
   Beam beam = blade.beam;
   beam.strain = choose_strain(beam, find_unknown_tension(model, blade));
   add_beam(tree, beam, "", {{}, root, {}}, blade.joints, loop_stations(blade.loops, "", beam));
   if (tree.bodies.size() == 1) tree.bodies[0].name = "body 1";
-  LoopBuilder builder(model.anchors, rotation_of(blade.azimuth * model.hub.axis.normalized()),
-                      tree);
+  LoopBuilder builder(model.anchors, rotation_of(blade.azimuth * hub.axis.normalized()), tree);
   for (const Loop& loop : blade.loops)
     builder.add(loop, [&tree](const std::string&) {
       return std::pair<std::size_t, std::size_t>(0, tree.bodies.size() - 1);
@@ -190,9 +191,9 @@ RigidBody make_hub_body(const Hub& hub) {
 }
 
 /// Returns the axle, about which the drive turns the hub.
-Joint make_axle(const Axle& axle, const Drive& drive) {
+Joint make_axle(std::string name, const Axle& axle, const Drive& drive) {
   Joint joint;
-  joint.name = "axle";
+  joint.name = std::move(name);
   joint.kind = JointKind::revolute;
   joint.axes[0] = Vector::UnitZ();
   joint.offset = axle.offset;
@@ -212,9 +213,10 @@ class SubsystemBuilder {
         base_(support_ ? base_name(support_->from) : "hub"),
         unknown_tension_(find_unknown_tension(model, subsystem)),
         solids_(solids),
-        turn_(rotation_of(subsystem.azimuth * model.hub.axis.normalized())) {
+        turn_(rotation_of(subsystem.azimuth * hub_of(model, subsystem.rotor).axis.normalized())) {
     tree_.name = subsystem.name;
     tree_.azimuth = subsystem.azimuth;
+    tree_.rotor = subsystem.rotor;
     for (const SubsystemJoint& joint : subsystem.joints) children_.emplace(joint.parent, &joint);
   }
 
@@ -229,7 +231,8 @@ class SubsystemBuilder {
       const auto further = children_of(joint.child);
       next.insert(next.end(), further.rbegin(), further.rend());
     }
-    if (support_) add_hub();
+    if (support_)
+      for (int r = 0; r < count_rotors(model_); ++r) add_hub(r);
     LoopBuilder builder(model_.anchors, turn_, tree_);
     for (const Loop& loop : subsystem_.loops)
       builder.add(loop, [this](const std::string& name) {
@@ -286,8 +289,9 @@ class SubsystemBuilder {
         places.push_back(further->station.value_or(beam->length));
       for (const double station : loop_stations(subsystem_.loops, child.name, *beam))
         places.push_back(station);
-      if (support_ && support_->axle.body == child.name)
-        places.push_back(support_->axle.station.value_or(beam->length));
+      for (int r = 0; support_ && r < count_rotors(model_); ++r)
+        if (const Axle& axle = axle_of(model_, r); axle.body == child.name)
+          places.push_back(axle.station.value_or(beam->length));
       Beam chosen = *beam;
       chosen.strain = choose_strain(*beam, unknown_tension_);
       add_beam(tree_, chosen, child.name, {parent, placement, joint.joint}, {}, places);
@@ -299,18 +303,20 @@ class SubsystemBuilder {
     added_[child.name] = {first, tree_.bodies.size() - 1};
   }
 
-  /// Adds the hub at the end of a support.
-  void add_hub() {
-    SubsystemJoint axle;
-    axle.parent = support_->axle.body.empty() ? base_ : support_->axle.body;
-    axle.station = support_->axle.station;
-    axle.interface = support_->axle.interface;
-    axle.joint = make_axle(support_->axle, model_.hub.drive);
-    const int hub =
-        add_body(tree_, "hub", make_hub_body(model_.hub), handle_of(axle), {}, axle.joint);
-    TreeBody& made = tree_.bodies[static_cast<std::size_t>(hub)];
-    made.is_hub = true;
-    made.placement = made.placement * rotor_placement(model_.hub);
+  /// Adds the hub of a rotor at the end of a support.
+  void add_hub(int rotor) {
+    const Hub& hub = hub_of(model_, rotor);
+    const Axle& axle = axle_of(model_, rotor);
+    const std::string prefix = prefix_of_rotor(model_, rotor);
+    SubsystemJoint carried;
+    carried.parent = axle.body.empty() ? base_ : axle.body;
+    carried.station = axle.station;
+    carried.interface = axle.interface;
+    add_body(tree_, prefix + "hub", make_hub_body(hub), handle_of(carried), {},
+             make_axle(prefix + "axle", axle, hub.drive));
+    TreeBody& made = tree_.bodies.back();
+    made.rotor = rotor;
+    made.placement = made.placement * rotor_placement(hub);
   }
 
   const Subsystem& subsystem_;

@@ -9,7 +9,8 @@ namespace spoke::spatial {
 
 Eigen::Vector3d find_hub_place(const Model& model) {
   if (!model.support) return Eigen::Vector3d::Zero();
-  Eigen::Vector3d from_base = calc_placements(build_trees(model).back()).back().position;
+  const Tree support = build_trees(model).back();
+  const Eigen::Vector3d from_base = calc_placements(support)[find_hub(support, 0)].position;
   if (model.support->from == SupportBase::ground) return from_base;
   const Fuselage& fuselage = model.support->fuselage;
   return fuselage.position + space::exponential(fuselage.attitude).axes * from_base;

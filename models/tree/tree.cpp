@@ -2,6 +2,8 @@
 
 #include "models/tree/tree.h"
 
+#include <algorithm>
+#include <cassert>
 #include <iterator>
 
 #include "models/tree/space_beam.h"
@@ -31,6 +33,13 @@ std::int64_t count_coordinates(const Tree& tree) {
       count += count_coordinates(*solid);
   }
   return count;
+}
+
+std::size_t find_hub(const Tree& support, int rotor) {
+  const auto hub = std::find_if(support.bodies.begin(), support.bodies.end(),
+                                [rotor](const TreeBody& body) { return body.rotor == rotor; });
+  assert(rotor >= 0 && hub != support.bodies.end());
+  return static_cast<std::size_t>(hub - support.bodies.begin());
 }
 
 std::vector<Placement> calc_placements(const Tree& tree) {

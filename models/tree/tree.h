@@ -36,9 +36,11 @@ struct TreeBody {
   /// interface.
   Placement placement{};
   Joint joint{};  ///< its axes are in the body's frame; offset and orientation are in `placement`
-  /// Whether it is the hub on a support: its frame has z along the drive's axis, and its joint is
-  /// the axle, which the drive turns.
-  bool is_hub = false;
+  /// Number of the rotor whose hub on a support it is: its frame has z along the drive's axis, and
+  /// its joint is the axle, which the drive turns; -1: it is no hub.
+  int rotor = -1;
+
+  bool is_hub() const { return rotor >= 0; }
 };
 
 /// A place of a loop in its tree.
@@ -64,6 +66,7 @@ struct Tree {
   std::string key{};   ///< in a scenario: "blades.1", "subsystem.2", "support"
   /// Azimuth of a blade or subsystem, added to the hub's angle for AzimuthMotion [rad].
   double azimuth = 0.0;
+  int rotor = 0;                   ///< number of the rotor whose hub carries it; of a support 0
   std::vector<Beam> beams{};       ///< beams whose parts are the flexible bodies
   std::vector<TreeBody> bodies{};  ///< one or more
   std::vector<TreeLoop> loops{};   ///< closures between bodies, and of bodies on what carries them
@@ -74,8 +77,8 @@ struct Tree {
 std::int64_t count_coordinates(const Tree& tree);
 
 /// Makes one tree for each blade, then one for each subsystem. Precondition: check_model() accepts
-/// it. The tree of a support is the last; its last body is the hub, by the name "hub" on the joint
-/// "axle".
+/// it. The tree of a support is the last; its last bodies are the hubs of the rotors, by the names
+/// "hub" on the joint "axle", and "tail.hub" on "tail.axle".
 ///
 /// A blade's joints part it, and each part is cut into equally long bodies, none longer than
 /// length/bodies; beams of subsystems are cut by the same rule. A body has as many equally long
@@ -86,6 +89,9 @@ std::vector<Tree> build_trees(const Model& model);
 
 /// Returns the frame of the blades in the hub's frame, its z axis along the hub's axis.
 Placement rotor_placement(const Hub& hub);
+
+/// Returns the index of the body of a support's tree that is the hub of a rotor.
+std::size_t find_hub(const Tree& support, int rotor);
 
 /// Returns where each body's frame is in the hub's frame, at joint coordinates of zero.
 std::vector<Placement> calc_placements(const Tree& tree);

@@ -209,7 +209,9 @@ std::int64_t count_prescribed(const Tree& tree) {
 
 /// Returns the free coordinates of a hub, or of what its support stands on.
 std::int64_t count_free(const spatial::Model& model) {
-  if (model.hub.support == HubSupport::free) return 6;
+  const bool flies = model.support ? model.support->from == spatial::SupportBase::free
+                                   : model.hub.support == HubSupport::free;
+  if (flies) return 6;
   return model.support || prescribes_motion(model.hub.drive) ? 0 : 1;
 }
 
@@ -272,8 +274,15 @@ void print_space(const spatial::Model& model) {
     example = tree.name;
   }
   if (has_support) trees.pop_back();
-  print_lines(has_support ? "rotor" : "all",
-              describe(calc_mass_properties(model.hub, trees), "the hub's origin"));
+  for (int r = 0; r < spatial::count_rotors(model); ++r) {
+    std::vector<Tree> own;
+    for (const Tree& tree : trees)
+      if (tree.rotor == r) own.push_back(tree);
+    const spatial::Hub& hub = spatial::hub_of(model, r);
+    const std::string name = hub.name.empty() ? "rotor" : hub.name;
+    print_lines(has_support ? name : "all",
+                describe(calc_mass_properties(hub, own), "the hub's origin"));
+  }
   if (model.pitch_control) print_line("pitch", describe(*model.pitch_control));
 }
 

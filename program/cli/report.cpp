@@ -14,7 +14,7 @@
 
 namespace spoke::cli {
 void print_line(std::string_view label, std::string_view text) {
-  print(fmt::format("  {:<16}{}\n", label, text));
+  print(fmt::format("  {:<15} {}\n", label, text));
 }
 
 std::string one_line(std::string text) {

@@ -117,12 +117,25 @@ class ModelAnimation {
     const more = (v) => times(scale - 1, turn(base.R, [v[3 * node], v[3 * node + 1], v[3 * node + 2]]));
     return { p: add(hub.p, more(displacements)), R: product(rotationOf(more(rotations)), hub.R) };
   }
+  /** Moves the other hubs of a support, and what they carry, where they are if it is deformed `scale` times as much. */
+  moveOtherHubs({ groups, displacements, rotations }, scale) {
+    for (const { node, group, groups: carried } of this.scene.base.hubs) {
+      const more = (v) => times(scale - 1, [v[3 * node], v[3 * node + 1], v[3 * node + 2]]);
+      const [shift, R, { p: center }] = [more(displacements), rotationOf(more(rotations)), groups[group]];
+      for (const g of carried)
+        groups[g] = {
+          p: add(add(center, shift), turn(R, sub(groups[g].p, center))),
+          R: product(R, groups[g].R),
+        };
+    }
+  }
   /** Takes what is on a support from the frame of its base to that of the hub. */
   turnToHub(state, scale) {
     const { scene } = this;
     const { group: first } = scene.base;
     const { groups, displacements, rotations } = state;
     const base = groups[first];
+    if (scale !== 1) this.moveOtherHubs(state, scale);
     const hub = this.movedHub(state.hub, base, displacements, rotations, scale);
     const toHub = { p: turnBack(hub.R, sub(base.p, hub.p)), R: product(transposed(hub.R), base.R) };
     state.hub = hub;

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "engine/bodies/space/solid_output.h"
 #include "program/run_report/base64.h"
@@ -156,6 +157,22 @@ Json describe_all(const std::vector<Part>& parts) {
   return all;
 }
 
+/// Describes the hubs besides the first: each one's node, its group, and those of what it carries.
+Json describe_other_hubs(const scene::Scene& scene) {
+  Json hubs = Json::array();
+  for (std::size_t r = 1; r < scene.hubs.size(); ++r) {
+    const scene::HubFrame& hub = scene.hubs[r];
+    std::set<int> groups{hub.group};
+    for (std::size_t k = 0; k < scene.nodes.size(); ++k)
+      if (scene.roots[static_cast<std::size_t>(scene.sources[k].subsystem)] == hub.group)
+        groups.insert(scene.nodes[k].group);
+    hubs.push_back({{"group", hub.group},
+                    {"node", hub.node},
+                    {"groups", std::vector<int>(groups.begin(), groups.end())}});
+  }
+  return hubs;
+}
+
 }  // namespace
 
 Json describe_scene(const scene::Scene& scene) {
@@ -186,7 +203,9 @@ Json describe_scene(const scene::Scene& scene) {
                     {"loads", describe_all(scene.loads)},
                     {"sensors", describe_all(scene.sensors)}};
   if (scene.support >= 0)
-    described.set("base", {{"group", scene.base_group}, {"hub", scene.tips.back()}});
+    described.set("base", {{"group", scene.base_group},
+                           {"hub", scene.hubs.front().node},
+                           {"hubs", describe_other_hubs(scene)}});
   return described;
 }
 

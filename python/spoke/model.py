@@ -92,6 +92,7 @@ __all__ = [
     "place",
     "point_mass",
     "polar",
+    "rotor",
     "scenario",
     "sections",
     "sensor",
@@ -106,7 +107,7 @@ __all__ = [
 
 
 def scenario(*, integration, title=None, world=None, hub=None, anchor=None, blade=None, blades=None,
-             subsystem=None, support=None, gravity=None, damping=None, load=None,
+             subsystem=None, support=None, rotor=None, gravity=None, damping=None, load=None,
              distributed_load=None, drag=None, hub_load=None, control=None, initial=None,
              limits=None, output=None, sensor=None, air=None, wind=None, aerodynamics=None,
              airfoil=None, statistics=None):
@@ -120,6 +121,7 @@ def scenario(*, integration, title=None, world=None, hub=None, anchor=None, blad
     blades: blades one by one
     subsystem: in space: trees of bodies
     support: in space: what carries the axle
+    rotor: in space: several rotors on a support
     gravity: gravity
     damping: damping of all bodies
     load: forces and moments at a point
@@ -431,13 +433,14 @@ def anchor_motion(*, by=None, translation=None, rotation=None):
     return _given(locals())
 
 
-def subsystem(*, name, azimuth=None, count=None, body=None, joint=None, loop=None):
+def subsystem(*, name, azimuth=None, rotor=None, count=None, body=None, joint=None, loop=None):
     """A tree of bodies on the hub, in space.
 
     name: its name
     azimuth: angle about the hub's axis by which its joints on the hub are turned, and what its
         loops have on the hub, the mount and anchors; added to the hub's angle in motion by the
         azimuth [rad]
+    rotor: name of the rotor whose hub carries it
     count: number of copies around the hub, the first at azimuth, evenly spaced: NAME1, NAME2, ... A
         load or a sensor on the subsystem NAME is on all of them
     body: its bodies: beams, rigid bodies and solids
@@ -542,6 +545,18 @@ def support(*, from_=None, mass=None, center=None, inertia=None, position=None, 
     joint: its joints, one for each body
     loop: its closed loops
     axle: where the tree carries the hub: [support.axle]
+    """
+    return _given(locals())
+
+
+def rotor(*, name, hub, axle=None, blade=None, blades=None):
+    """One of several rotors on a support: a hub on its own axle, and blades.
+
+    name: its name, unlike that of any other rotor
+    hub: its hub and drive, as [hub]
+    axle: where the support carries it, as [support.axle]
+    blade: its blades, as [blade]
+    blades: its blades one by one, as [[blades]]
     """
     return _given(locals())
 
@@ -669,7 +684,7 @@ def drag(*, relative_to=None, position=None, linear=None, quadratic=None, from_=
 
 
 def hub_load(*, name=None, position=None, frame=None, force=None, torque=None, ramp=None, time=None,
-             factor=None):
+             factor=None, rotor=None):
     """A force and a torque on the hub.
 
     name: name by which spoke critical varies the load; loads of one name go together
@@ -682,6 +697,7 @@ def hub_load(*, name=None, position=None, frame=None, force=None, torque=None, r
         [s]
     time: array of times, each greater than the one before [s]
     factor: array of factors of the load, one for each of time, interpolated as above
+    rotor: name of the rotor on whose hub it acts
     """
     return _given(locals())
 

@@ -151,13 +151,18 @@ double calc_total_momentum(const SensorColumn& column, const space::Hub& hub, st
 }
 
 /// Returns what support and drive do to the hub; on a support the axle and the drive.
-double calc_hub_reaction(const SensorColumn& column, const SystemRecord<Space>& record,
-                         bool is_on_support) {
-  space::Twist wrench = is_on_support ? record.rotor.reaction : record.reaction;
-  wrench[Space::kAxial] += is_on_support ? record.rotor.applied_torque : record.applied_torque;
-  if (column.frame == SensorFrame::inertial)
-    wrench = (is_on_support ? record.rotor.rotation : record.hub_rotation) * wrench;
-  return wrench[static_cast<Eigen::Index>(column.component)];
+double calc_hub_reaction(const SensorColumn& column, std::int64_t step,
+                         const StepData<Space>& data) {
+  const auto read = [&column](const auto& record, const space::Rotation& R) {
+    space::Twist wrench = record.reaction;
+    wrench[Space::kAxial] += record.applied_torque;
+    if (column.frame == SensorFrame::inertial) wrench = R * wrench;
+    return wrench[static_cast<Eigen::Index>(column.component)];
+  };
+  const SystemRecord<Space>& base = of_step(data.records, step);
+  if (data.rotors.empty()) return read(base, base.hub_rotation);
+  const RotorRecord<Space>& rotor = of_step(data.rotors.front().records, step);
+  return read(rotor, rotor.rotation);
 }
 
 }  // namespace
@@ -222,7 +227,7 @@ double value_of(const SensorColumn& column, const space::Hub& hub, std::int64_t 
     case SensorQuantity::momentum:
       return calc_total_momentum(column, hub, step, data);
     case SensorQuantity::hub_reaction:
-      return calc_hub_reaction(column, of_step(data.records, step), !data.rotors.empty());
+      return calc_hub_reaction(column, step, data);
     default:
       break;
   }

@@ -215,12 +215,14 @@ void follow_rotors(const System<Space>& system, StepData<Space>& data) {
     BodyParts& hub_parts = support.parts.bodies[static_cast<std::size_t>(rotor.body)];
     RotorData<Space>& made = data.rotors[r];
     made.hub = data.hub;
+    made.records.assign(data.records.size(), {});
     made.path = find_path(system, rotor);
     hub.carried = &made.carried;
     const PartMaker maker = PartMaker(data.all_parts).of("rotor " + std::to_string(r + 1));
     RotorParts& parts = data.parts.rotors.emplace_back();
     parts.hub = maker.cover("hub motion", Mark::state, made.hub, made.acceleration, made.turn);
     parts.carried = maker.cover("carried inertia", Mark::none, made.carried);
+    parts.records = maker.ring("records", made.records);
     hub_parts.carried = parts.carried;
     PartMaker(data.all_parts).add(data.parts.flight_acceleration, made.flight_acceleration);
     for (std::size_t i = 0; i < data.subsystems.size(); ++i) {

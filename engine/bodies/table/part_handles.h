@@ -70,6 +70,7 @@ struct SubsystemParts {
 struct RotorParts {
   graph::PartId hub;      ///< motion of its hub
   graph::PartId carried;  ///< what its subsystems add to the hub
+  graph::PartId records;
 };
 
 /// Parts of the system.

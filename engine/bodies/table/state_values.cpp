@@ -66,11 +66,12 @@ void for_each_value(RotorRecord<World>& record, Exchange&& exchange) {
   }
 }
 
-/// Calls `exchange` with each value of a record of this table.
+/// Calls `exchange` with each value of the records of a step.
 template <class World, class Exchange>
-void for_each_value(const StepData<World>& data, SystemRecord<World>& record, Exchange&& exchange) {
-  for_each_value(record, exchange);
-  if (!data.rotors.empty()) for_each_value(record.rotor, exchange);
+void for_each_value(std::int64_t step, StepData<World>& data, Exchange&& exchange) {
+  for_each_value(of_step(data.records, step), exchange);
+  for (RotorData<World>& rotor : data.rotors)
+    for_each_value(of_step(rotor.records, step), exchange);
 }
 
 template <class Apply>
@@ -126,10 +127,9 @@ void for_each_state_part(StepData<World>& data, Apply&& apply, ApplyToRecord&& a
 template <class World>
 std::size_t count_state_values(StepData<World>& data) {
   std::size_t count = 0;
-  SystemRecord<World> record;
   for_each_state_part(
       data, [&](std::span<const double> part) { count += part.size(); },
-      [&] { for_each_value(data, record, [&](double) { ++count; }); });
+      [&] { for_each_value(0, data, [&](double) { ++count; }); });
   return count;
 }
 
@@ -141,10 +141,7 @@ void StepData<World>::take_state(std::int64_t step, std::vector<double>& values)
   for_each_state_part(
       *this,
       [&](std::span<const double> part) { values.insert(values.end(), part.begin(), part.end()); },
-      [&] {
-        SystemRecord<World> record = of_step(records, step);
-        for_each_value(*this, record, [&](double value) { values.push_back(value); });
-      });
+      [&] { for_each_value(step, *this, [&](double value) { values.push_back(value); }); });
 }
 
 template <class World>
@@ -157,9 +154,7 @@ void StepData<World>::put_state(std::span<const double> values, std::int64_t ste
         std::copy_n(next, part.size(), part.begin());
         next += part.size();
       },
-      [&] {
-        for_each_value(*this, of_step(records, step), [&](double& value) { value = *next++; });
-      });
+      [&] { for_each_value(step, *this, [&](double& value) { value = *next++; }); });
 }
 
 std::vector<double> take_state_values(std::int64_t step, StepTable& data) {

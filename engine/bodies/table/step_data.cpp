@@ -46,16 +46,19 @@ std::vector<std::span<std::byte>> StepData<World>::state_memory() {
 template <class World>
 void StepData<World>::keep_record(std::int64_t step) {
   kept_ = of_step(records, step);
+  for (RotorData<World>& rotor : rotors) rotor.kept = of_step(rotor.records, step);
 }
 
 template <class World>
 void StepData<World>::take_evaluated_record(std::int64_t step) {
   evaluated = of_step(records, step);
+  for (RotorData<World>& rotor : rotors) rotor.evaluated = of_step(rotor.records, step);
 }
 
 template <class World>
 void StepData<World>::return_record(std::int64_t step) {
   of_step(records, step) = kept_;
+  for (RotorData<World>& rotor : rotors) of_step(rotor.records, step) = rotor.kept;
 }
 
 template <class World>

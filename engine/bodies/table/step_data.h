@@ -40,6 +40,16 @@ struct HubState {
   TwistOf<World> twist;  ///< velocity (resolved in the hub frame) and angular velocity
 };
 
+/// Hub of a rotor on a support at the end of a step, as SystemRecord has the hub.
+template <class World>
+struct RotorRecord {
+  TwistOf<World> position = TwistOf<World>::Zero();
+  TwistOf<World> velocity = TwistOf<World>::Zero();
+  TwistOf<World> reaction = TwistOf<World>::Zero();  ///< wrench of the axle on the hub, hub frame
+  double applied_torque = 0.0;
+  [[no_unique_address]] typename BodyTypes<World>::RecordedRotation rotation;
+};
+
 /// A rotor on a support, see SupportedRotor: its hub, and what its subsystems add to it.
 template <class World>
 struct RotorData {
@@ -52,6 +62,8 @@ struct RotorData {
   std::vector<int> path{};  ///< bodies of the support from its base to the hub
   /// StepData::flight_acceleration in the frame of this hub.
   PositionOf<World> flight_acceleration = PositionOf<World>::Zero();
+  std::vector<RotorRecord<World>> records{};  ///< ring by step
+  RotorRecord<World> kept{}, evaluated{};     ///< as StepData has them of the system
 };
 
 /// Hub motion that support and drive prescribe.
@@ -94,16 +106,6 @@ struct ReactionRecord {
   TwistOf<World> reaction = TwistOf<World>::Zero();
 };
 
-/// Hub of a rotor on a support at the end of a step, as SystemRecord has the hub.
-template <class World>
-struct RotorRecord {
-  TwistOf<World> position = TwistOf<World>::Zero();
-  TwistOf<World> velocity = TwistOf<World>::Zero();
-  TwistOf<World> reaction = TwistOf<World>::Zero();  ///< wrench of the axle on the hub, hub frame
-  double applied_torque = 0.0;
-  [[no_unique_address]] typename BodyTypes<World>::RecordedRotation rotation;
-};
-
 /// The step as a whole: the sums over all subsystems, and the hub.
 template <class World>
 struct SystemRecord : ReactionRecord<World> {
@@ -113,7 +115,6 @@ struct SystemRecord : ReactionRecord<World> {
   TwistOf<World> velocity = TwistOf<World>::Zero();  ///< [m/s, rad/s]
   /// Rotation from the hub frame to the inertial frame; empty in the plane.
   [[no_unique_address]] typename BodyTypes<World>::RecordedRotation hub_rotation;
-  RotorRecord<World> rotor{};  ///< of the first rotor on a support, if there is one
 };
 
 /// One subsystem's share of the table; vectors by body, parents before children.

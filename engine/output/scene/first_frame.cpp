@@ -82,7 +82,7 @@ void add_motions(const Tree& tree, const Placement& base, std::vector<Placement>
                  std::size_t& next) {
   const std::vector<Placement> motions = calc_motions(tree);
   for (std::size_t j = 0; j < tree.bodies.size(); ++j)
-    if (count_coordinates(tree.bodies[j].joint.kind) > 0 && !tree.bodies[j].is_hub)
+    if (count_coordinates(tree.bodies[j].joint.kind) > 0 && !tree.bodies[j].is_hub())
       groups[next++] = base * motions[j];
 }
 
@@ -105,11 +105,12 @@ Placement calc_base(const spatial::Model& model) {
   return {fuselage.position, space::exponential(fuselage.attitude).axes};
 }
 
-/// Returns the pose of a hub on a support, whose joints stand where they start.
-HubPose find_supported_hub(const spatial::Model& model, const Placement& base, const Tree& tree) {
-  const Placement hub = base * calc_motions(tree).back() * calc_placements(tree).back() *
-                        inverse(rotor_placement(model.hub));
-  return {hub.position, hub.rotation};
+/// Returns the pose of the hub of a rotor on a support, whose joints stand where they start.
+Placement find_supported_hub(const spatial::Model& model, int rotor, const Placement& base,
+                             const Tree& tree) {
+  const std::size_t hub = find_hub(tree, rotor);
+  return base * calc_motions(tree)[hub] * calc_placements(tree)[hub] *
+         inverse(rotor_placement(hub_of(model, rotor)));
 }
 
 /// Places the groups of mount and anchors. `mount`: the mount in the frame of the hub at its first
@@ -139,21 +140,28 @@ Frame make_first_frame(const Scenario& scenario, const Scene& scene) {
   const std::vector<Tree> trees = build_trees(*scenario.space);
   Placement base = calc_base(*scenario.space);
   if (scenario.space->support) {
-    frame.hub = find_supported_hub(*scenario.space, base, trees.back());
-    base = inverse({frame.hub.position, frame.hub.rotation}) * base;
+    const Placement hub = find_supported_hub(*scenario.space, 0, base, trees.back());
+    frame.hub = {hub.position, hub.rotation};
+    base = inverse(hub) * base;
   } else {
     frame.hub = calc_start(scenario.space->hub);
   }
   place_carriers(scenario.space->anchors, base, scene, frame);
   std::size_t next = 1 + scene.carriers.size();
-  for (std::size_t i = 0; i < trees.size(); ++i) {
-    Placement carrier;
-    if (static_cast<int>(i) == scene.support) {
-      carrier = base;
-      frame.groups[next++] = carrier;
-    }
-    add_motions(trees[i], carrier, frame.groups, next);
-  }
+  const auto add = [&](std::size_t i) {
+    const auto root = static_cast<std::size_t>(scene.roots[i]);
+    add_motions(trees[i], frame.groups[root], frame.groups, next);
+  };
+  for (std::size_t i = 0; i < trees.size(); ++i)
+    if (scene.roots[i] == 0) add(i);
+  if (scene.support < 0) return frame;
+  frame.groups[next++] = base;
+  for (std::size_t r = 1; r < scene.hubs.size(); ++r)
+    frame.groups[next++] =
+        find_supported_hub(*scenario.space, static_cast<int>(r), base, trees.back());
+  add(static_cast<std::size_t>(scene.support));
+  for (std::size_t i = 0; i < trees.size(); ++i)
+    if (scene.roots[i] > scene.base_group) add(i);
   return frame;
 }
 

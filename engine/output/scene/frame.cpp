@@ -60,33 +60,44 @@ void FrameReader::read_space(const Simulation& simulation, Frame& frame) {
   spatial_shapes_.resize(scene_.subsystems.size());
   for (std::size_t i = 0; i < spatial_shapes_.size(); ++i)
     simulation.calc_shape(static_cast<int>(i), spatial_shapes_[i]);
-  Placement base;  // of a support, in the hub's frame
-  if (scene_.support >= 0) {
-    const MarkerMotion motion = simulation.base_frame();
-    const Tensor to_hub = frame.hub.rotation.transpose();
-    base = {to_hub * (motion.position - frame.hub.position), to_hub * motion.rotation};
-    frame.groups[static_cast<std::size_t>(scene_.base_group)] = base;
-  }
+  if (scene_.support >= 0) read_roots(simulation, frame);
   for (std::size_t k = 0; k < scene_.sources.size(); ++k) {
     const NodeSource& source = scene_.sources[k];
     const TreeNode& node = body_of(source).nodes[static_cast<std::size_t>(source.node)];
-    const bool is_on_base = source.subsystem == scene_.support;
-    const Tensor turn = is_on_base ? base.rotation : Tensor(Tensor::Identity());
-    frame.displacements.emplace_back(turn * node.displacement);
-    frame.rotations.emplace_back(turn * node.rotation);
+    const int root = scene_.roots[static_cast<std::size_t>(source.subsystem)];
+    const Placement& carrier = frame.groups[static_cast<std::size_t>(root)];
+    frame.displacements.emplace_back(carrier.rotation * node.displacement);
+    frame.rotations.emplace_back(carrier.rotation * node.rotation);
     const Node& drawn = scene_.nodes[k];
-    if (drawn.group == 0 || drawn.group == scene_.base_group) continue;
-    // All nodes of a rigid group show the same motion, but that of a hub, which turns in its group.
-    if (is_on_base && static_cast<int>(k) == scene_.tips.back()) continue;
+    if (drawn.group == root) continue;
+    // All nodes of a rigid group show the same motion, but those of hubs, which turn in theirs.
+    if (std::any_of(scene_.hubs.begin(), scene_.hubs.end(),
+                    [k](const HubFrame& hub) { return hub.node == static_cast<int>(k); }))
+      continue;
     const Tensor now = space::exponential(node.rotation).axes.transpose() * node.R;
     Placement& group = frame.groups[static_cast<std::size_t>(drawn.group)];
     group.rotation = now * drawn.axes.transpose();
     group.position = node.p - node.displacement - group.rotation * drawn.p;
-    if (is_on_base) group = base * group;
+    if (root > 0) group = carrier * group;
   }
   for (const MeshBody& mesh : scene_.meshes)
     frame.solids.push_back(
         body_of(scene_.sources[static_cast<std::size_t>(mesh.node)]).coordinates);
+}
+
+/// Sets the motions of a support's base and of the hubs on it, in the frame of the first hub.
+void FrameReader::read_roots(const Simulation& simulation, Frame& frame) const {
+  const MarkerMotion motion = simulation.base_frame();
+  const Tensor to_hub = frame.hub.rotation.transpose();
+  const Placement base{to_hub * (motion.position - frame.hub.position), to_hub * motion.rotation};
+  frame.groups[static_cast<std::size_t>(scene_.base_group)] = base;
+  for (std::size_t r = 1; r < scene_.hubs.size(); ++r) {
+    const HubFrame& hub = scene_.hubs[r];
+    const NodeSource& source = scene_.sources[static_cast<std::size_t>(hub.node)];
+    const TreeNode& node = body_of(source).nodes[static_cast<std::size_t>(source.node)];
+    frame.groups[static_cast<std::size_t>(hub.group)] =
+        base * Placement{node.p, node.R * hub.to_hub.transpose()};
+  }
 }
 
 void FrameReader::read_carriers(const Simulation& simulation, Frame& frame) const {

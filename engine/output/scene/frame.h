@@ -47,6 +47,7 @@ class FrameReader {
  private:
   void read_plane(const Simulation& simulation, Frame& frame);
   void read_space(const Simulation& simulation, Frame& frame);
+  void read_roots(const Simulation& simulation, Frame& frame) const;
   void read_carriers(const Simulation& simulation, Frame& frame) const;
   void read_forces(const Strip& strip, Frame& frame) const;
 

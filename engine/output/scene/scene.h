@@ -46,6 +46,15 @@ struct Place {
   int group = 0;
 };
 
+/// The frame of the hub of a rotor, as the scenario describes it.
+struct HubFrame {
+  int group = 0;  ///< 0 of the first rotor
+  /// On a support, the hub's centre on the body that carries the axle; else -1.
+  int node = -1;
+  /// From axes with z along the hub's axis to those of the scenario.
+  spatial::Tensor to_hub = spatial::Tensor::Identity();
+};
+
 /// A group that is no body's: the motion of the mount or of an anchor, which loops close on.
 struct Carrier {
   int anchor = -1;  ///< index of the anchor; -1: the mount
@@ -158,10 +167,12 @@ struct Scene {
   Vector gravity = Vector::Zero();  ///< inertial axes [m/s^2]
   int groups = 1;
   /// Index of the subsystem that is the support, whose undeformed nodes are in the frame of its
-  /// base; and the group that is the motion of that frame, behind which are those of its bodies.
-  /// Its last node is the hub's centre on the body that carries the axle. -1: none.
+  /// base; and the group that is the motion of that frame, behind which are those of its bodies, of
+  /// the hubs of rotors besides the first, and of what these carry. -1: none.
   int support = -1, base_group = -1;
+  std::vector<HubFrame> hubs;           ///< by rotor, in space
   std::vector<std::string> subsystems;  ///< names
+  std::vector<int> roots;               ///< by subsystem, the group of what carries it
   std::vector<int> tips;                ///< last node, by subsystem
   std::vector<Node> nodes;
   std::vector<NodeSource> sources;  ///< by node

@@ -91,10 +91,9 @@ class Surfaces {
 /// Adds one subsystem to a scene.
 class SubsystemScene {
  public:
-  SubsystemScene(const Tree& tree, int number, bool is_blade, const spatial::Tensor& to_hub,
-                 std::size_t stride, int per_element, Surfaces& surfaces, Scene& scene)
+  SubsystemScene(const Tree& tree, int number, bool is_blade, std::size_t stride, int per_element,
+                 Surfaces& surfaces, Scene& scene)
       : tree_(tree),
-        to_hub_(to_hub),
         number_(number),
         is_blade_(is_blade),
         stride_(stride),
@@ -106,7 +105,6 @@ class SubsystemScene {
   }
 
   void add() {
-    scene_.subsystems.push_back(tree_.name);
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j) {
       first_.push_back(static_cast<int>(scene_.nodes.size()));
       add_group(j);
@@ -118,7 +116,7 @@ class SubsystemScene {
         add_rigid(j);
       add_joint(j);
     }
-    scene_.tips.push_back(find_tip());
+    scene_.tips[static_cast<std::size_t>(number_)] = find_tip();
     for (const spatial::TreeLoop& loop : tree_.loops) add_loop(loop);
   }
 
@@ -174,18 +172,19 @@ class SubsystemScene {
   }
 
   /// Returns the group of what carries the tree.
-  int root_group() const { return number_ == scene_.support ? scene_.base_group : 0; }
+  int root_group() const { return scene_.roots[static_cast<std::size_t>(number_)]; }
 
   /// Returns a place in the frame of the hub of a support; none if the body is none.
   std::optional<LoadedPlace> find_turning_place(std::size_t j, const Vector& point) const {
-    if (!tree_.bodies[j].is_hub) return std::nullopt;
-    return LoadedPlace{{-1, 0.0, to_hub_ * point}, to_hub_, to_hub_};
+    if (!tree_.bodies[j].is_hub()) return std::nullopt;
+    const HubFrame& hub = scene_.hubs[static_cast<std::size_t>(tree_.bodies[j].rotor)];
+    return LoadedPlace{{-1, 0.0, hub.to_hub * point, hub.group}, hub.to_hub, hub.to_hub};
   }
 
   void add_group(std::size_t j) {
     const TreeBody& body = tree_.bodies[j];
     // The node of a hub shows where the body that carries the axle has it.
-    if (count_coordinates(body.joint.kind) > 0 && !body.is_hub)
+    if (count_coordinates(body.joint.kind) > 0 && !body.is_hub())
       groups_.push_back(scene_.groups++);
     else
       groups_.push_back(body.parent < 0 ? root_group()
@@ -297,7 +296,10 @@ class SubsystemScene {
     const int node = first_[j];
     const Placement& at = placements_[j];
     add_node(j, 0, at.position);
-    if (tree_.bodies[j].is_hub) return;  // it is drawn as the hub of all models
+    if (tree_.bodies[j].is_hub()) {  // it is drawn as the hub of all models
+      scene_.hubs[static_cast<std::size_t>(tree_.bodies[j].rotor)].node = node;
+      return;
+    }
     Solid solid = make_body(body.center, body.mass, body.inertia);
     solid.name = name_of(j);
     solid.subsystem = number_;
@@ -381,7 +383,6 @@ class SubsystemScene {
   }
 
   const Tree& tree_;
-  spatial::Tensor to_hub_;  ///< from axes with z along the hub's axis to those of the scenario
   int number_;
   bool is_blade_;
   std::size_t stride_;
@@ -394,7 +395,7 @@ class SubsystemScene {
   Scene& scene_;
 };
 
-void add_hub(const spatial::Hub& hub, Scene& scene) {
+void add_hub(const spatial::Hub& hub, const std::string& name, int group, Scene& scene) {
   const double radius = scene.radius();
   if (hub.support == HubSupport::free) {
     scene.solids.push_back(make_body(hub.center, hub.mass, hub.inertia));
@@ -402,7 +403,8 @@ void add_hub(const spatial::Hub& hub, Scene& scene) {
     const double size = std::max(hub.radius, 0.02 * radius);
     scene.solids.push_back(make_cylinder(hub.axis, size, std::min(0.5 * size, 0.04 * radius)));
   }
-  scene.solids.back().name = "hub";
+  scene.solids.back().name = name;
+  scene.solids.back().group = group;
 }
 
 /// Draws the body that a support is or stands on, and what holds the axle where no other body does.
@@ -412,10 +414,13 @@ void add_fuselage(const spatial::Fuselage& fuselage, const Tree& support, Scene&
   solid.subsystem = scene.support;
   solid.group = scene.base_group;
   scene.solids.push_back(std::move(solid));
-  const int hub = scene.tips.back();
-  const Vector& place = scene.nodes[static_cast<std::size_t>(hub)].p;
-  if (support.bodies.back().parent < 0 && !(place - fuselage.center).isZero(1e-12))
-    scene.links.push_back({scene.support, hub, fuselage.center, place});
+  for (const spatial::TreeBody& body : support.bodies) {
+    if (!body.is_hub() || body.parent >= 0) continue;
+    const int hub = scene.hubs[static_cast<std::size_t>(body.rotor)].node;
+    const Vector& place = scene.nodes[static_cast<std::size_t>(hub)].p;
+    if (!(place - fuselage.center).isZero(1e-12))
+      scene.links.push_back({scene.support, hub, fuselage.center, place});
+  }
 }
 
 /// Draws the loads of a model.
@@ -446,7 +451,8 @@ class LoadMarks {
     }
   }
   void add(const spatial::HubLoad& load) {
-    scene_.loads.push_back({{-1, 0.0, load.position},
+    const int group = scene_.hubs[static_cast<std::size_t>(load.rotor)].group;
+    scene_.loads.push_back({{-1, 0.0, load.position, group},
                             std::string(name_of(load.frame)),
                             load.force,
                             load.torque,
@@ -480,20 +486,37 @@ Scene make_spatial_scene(const spatial::Model& model, std::size_t most_nodes,
   scene.gravity = model.gravity;
   add_carriers(model.anchors, find_loops(trees), scene);
   Surfaces surfaces(solids, most_nodes, scene);
+  for (const Tree& tree : trees) scene.subsystems.push_back(tree.name);
+  scene.tips.resize(trees.size());
+  scene.roots.resize(trees.size());
+  for (int r = 0; r < count_rotors(model); ++r)
+    scene.hubs.push_back({0, -1, spatial::rotor_placement(hub_of(model, r)).rotation});
   std::vector<SubsystemScene> made;
-  for (std::size_t i = 0; i < trees.size(); ++i) {
-    if (model.support && i + 1 == trees.size()) {
-      scene.support = static_cast<int>(i);
-      scene.base_group = scene.groups++;
-    }
-    made.emplace_back(trees[i], static_cast<int>(i), i < model.blades.size(),
-                      spatial::rotor_placement(model.hub).rotation, stride,
+  const auto add = [&](std::size_t i) {
+    made.emplace_back(trees[i], static_cast<int>(i), i < model.blades.size(), stride,
                       rings_per_element(nodes / stride), surfaces, scene);
     made.back().add();
+  };
+  // What moves with the first hub, or stands without a support, comes first.
+  const std::size_t before = trees.size() - (model.support ? 1 : 0);
+  for (std::size_t i = 0; i < before; ++i)
+    if (trees[i].rotor == 0) add(i);
+  if (model.support) {
+    scene.support = static_cast<int>(before);
+    scene.base_group = scene.roots[before] = scene.groups++;
+    for (std::size_t r = 1; r < scene.hubs.size(); ++r) scene.hubs[r].group = scene.groups++;
+    add(before);
+    for (std::size_t i = 0; i < before; ++i) {
+      if (trees[i].rotor == 0) continue;
+      scene.roots[i] = scene.hubs[static_cast<std::size_t>(trees[i].rotor)].group;
+      add(i);
+    }
   }
   if (model.support && model.support->from == spatial::SupportBase::free)
     add_fuselage(model.support->fuselage, trees.back(), scene);
-  add_hub(model.hub, scene);
+  for (int r = 0; r < count_rotors(model); ++r)
+    add_hub(hub_of(model, r), prefix_of_rotor(model, r) + "hub",
+            scene.hubs[static_cast<std::size_t>(r)].group, scene);
   add_plates(model.anchors, scene);
   LoadMarks marks(made, scene);
   for (const spatial::PointLoad& load : model.loads) marks.add(load);

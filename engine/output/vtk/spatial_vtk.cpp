@@ -44,6 +44,7 @@ class MeshMaker {
           carrier.anchor < 0 ? simulation.mount_frame() : simulation.anchor_frame(carrier.anchor);
     if (scene.support >= 0)
       carriers_[static_cast<std::size_t>(scene.base_group)] = simulation.base_frame();
+    for (std::size_t r = 1; r < scene.hubs.size(); ++r) carry_on(scene.hubs[r]);
   }
 
   Mesh make() && {
@@ -65,14 +66,25 @@ class MeshMaker {
   struct NodeMotion {
     Vector p, velocity, angular_velocity;
   };
-  /// Returns the motion of a node; those of a support have theirs in the frame of its base.
+  /// Returns the motion of a node; subsystems have theirs in the frame of what carries them.
   NodeMotion node(int k) const {
     const scene::NodeSource& source = scene_.sources[static_cast<std::size_t>(k)];
     const TreeNode& node = reader_.body_of(source).nodes[static_cast<std::size_t>(source.node)];
-    if (source.subsystem != scene_.support) return {node.p, node.velocity, node.angular_velocity};
-    const spatial::Placement& base = frame_.groups[static_cast<std::size_t>(scene_.base_group)];
+    const int root = scene_.roots[static_cast<std::size_t>(source.subsystem)];
+    if (root == 0) return {node.p, node.velocity, node.angular_velocity};
+    const spatial::Placement& base = frame_.groups[static_cast<std::size_t>(root)];
     return {base.position + base.rotation * node.p, base.rotation * node.velocity,
             base.rotation * node.angular_velocity};
+  }
+  /// Sets the motion of the frame of a hub besides the first.
+  void carry_on(const scene::HubFrame& hub) {
+    const NodeMotion motion = node(hub.node);
+    const spatial::Placement& group = frame_.groups[static_cast<std::size_t>(hub.group)];
+    const spatial::Placement first{frame_.hub.position, frame_.hub.rotation};
+    const spatial::Placement placed = first * group;
+    carriers_[static_cast<std::size_t>(hub.group)] = {placed.position, placed.rotation,
+                                                      first.rotation * motion.velocity,
+                                                      first.rotation * motion.angular_velocity};
   }
   static Vector cross(const Vector& w, const Vector& r) {
     return {w.y() * r.z() - w.z() * r.y(), w.z() * r.x() - w.x() * r.z(),

@@ -158,9 +158,19 @@ std::unique_ptr<SteadyModel> make_supported(const Scenario& scenario,
   return std::make_unique<SupportedModel>(std::move(parts), options.speed);
 }
 
+/// Refuses models whose rotors turn each at its own speed, about axes of their own: a steady model
+/// stands in the turning frame of one.
+void require_one_rotor(const spatial::Model& model) {
+  if (model.rotors.empty()) return;
+  throw InputError("rotor: there are " + std::to_string(count_rotors(model)) +
+                   ", expected one: a steady state is found in the frame that turns with the "
+                   "rotor; several are simulated");
+}
+
 /// Pitch by the azimuth has a mean whether a drive or torque turns the hub.
 std::unique_ptr<SteadyModel> make_spatial(const Scenario& scenario, const SteadyOptions& options) {
   const spatial::Model& model = *scenario.space;
+  require_one_rotor(model);
   if (model.support) return make_supported(scenario, options);
   const std::vector<spatial::Tree> trees = build_trees(model);
   System<Space> system = make_system(model, trees, {{}, available_memory()});
@@ -185,6 +195,7 @@ std::unique_ptr<SteadyModel> make_steady_model(const Scenario& scenario,
 std::unique_ptr<SteadyModel> make_rotor_model(const Scenario& scenario,
                                               const SteadyOptions& options) {
   assert(scenario.space);
+  require_one_rotor(*scenario.space);
   if (has_changing_wind(scenario))
     return make_rotor_model(in_mean_wind(scenario, options.instant, WindPlaces::hub), options);
   if (!scenario.space->support) return make_spatial(scenario, options);

@@ -164,6 +164,8 @@ inline constexpr std::array kSpaceDistributedLoadRows{
                                                          spatial::kMomentPerLength, "`[x, y, z]`")};
 
 inline constexpr std::array kSpaceHubLoadRows{
+    by_hand("rotor", kText, "name of the [rotor](#rotor-several-rotors) on whose hub it acts")
+        .from("the first"),
     vector<&spatial::HubLoad::position>(
         "position", kLength,
         "where the force acts: `[x, y, z]` in the hub's frame; only with `force`"),

@@ -20,6 +20,7 @@ inline constexpr std::array kScenarioRows{
     by_hand("blades", kTables, "[blades one by one](#blades-blades-one-by-one)"),
     by_hand("subsystem", kTables, "in space: [trees of bodies](#subsystem-trees-of-bodies)"),
     by_hand("support", kTable, "in space: [what carries the axle](#support-what-carries-the-axle)"),
+    by_hand("rotor", kTables, "in space: [several rotors](#rotor-several-rotors) on a support"),
     by_hand("gravity", kTable, "[gravity](#gravity)"),
     by_hand("damping", kTable, "[damping](#damping) of all bodies"),
     by_hand("load", kTables,

@@ -89,6 +89,7 @@ void add_trees(std::vector<Table>& all) {
                   tree,
                   {"[support]", kSupportAxleRows}}});
   all.push_back({"support.axle", {{"[support.axle]", kAxleRows}}});
+  all.push_back({"rotor", {{"[[rotor]]", kRotorRows}}});
   all.push_back({"subsystem.body.material", {{"materials", kMaterialRows}}});
   all.push_back({"subsystem.body.scale", {{"scales", kScaleRows}}});
   all.push_back({"subsystem.body.interface", {{"interfaces", kInterfaceRows}}});

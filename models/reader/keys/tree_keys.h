@@ -18,6 +18,8 @@ inline constexpr std::array kSubsystemRows{
         "angle about the hub's axis by which its joints on the hub are turned, and what its loops "
         "have on the hub, the mount and anchors; added to the hub's angle in `motion` by the "
         "azimuth"),
+    by_hand("rotor", kText, "name of the [rotor](#rotor-several-rotors) whose hub carries it")
+        .from("the first"),
     by_hand("count", kWhole,
             "number of copies around the hub, the first at `azimuth`, evenly spaced: `NAME1`, "
             "`NAME2`, ... A load or a sensor on the subsystem `NAME` is on all of them")
@@ -98,6 +100,17 @@ inline constexpr std::array kFuselageRows{
 
 inline constexpr std::array kSupportAxleRows{
     by_hand("axle", kTable, "where the tree carries the hub: `[support.axle]`")};
+
+inline constexpr std::array kRotorRows{
+    by_hand("name", kText, "its name, unlike that of any other rotor")
+        .required()
+        .within("letters, digits, `_`, `-`, `.`; up to 64"),
+    by_hand("hub", kTable, "its hub and drive, as [`[hub]`](#hub-in-space)").required().as("hub"),
+    by_hand("axle", kTable, "where the support carries it, as `[support.axle]`")
+        .from("as there")
+        .as("support.axle"),
+    by_hand("blade", kTable, "its blades, as `[blade]`").from("none").as("blade"),
+    by_hand("blades", kTables, "its blades one by one, as `[[blades]]`").from("none").as("blades")};
 
 inline constexpr std::array kAxleRows{
     by_hand("body", kText,

@@ -60,7 +60,7 @@ Blade read_blade(const TomlSection& own, const TomlSection& common, double azimu
 
 }  // namespace
 
-std::vector<Blade> read_blades(const TomlSection& root, const Model& model) {
+std::vector<Blade> read_blades(const TomlSection& root, int rotor, const Model& model) {
   const TomlSection::Keys keys = keys::keys_of(keys::kBeamRows, keys::kSpaceBladeRows);
   const TomlSection::Keys common_keys =
       keys::keys_of(keys::kBeamRows, keys::kSpaceBladeRows, keys::kBladeCountRows);
@@ -76,12 +76,14 @@ std::vector<Blade> read_blades(const TomlSection& root, const Model& model) {
     const auto count = static_cast<std::size_t>(common.integer("count", {1, kMostOfAKind}));
     blades.assign(count, read_blade(common, common, first, model));
     for (std::size_t i = 0; i < count; ++i) blades[i].azimuth = azimuth(i, count);
+    for (Blade& blade : blades) blade.rotor = rotor;
     return blades;
   }
   if (common.has("count"))
     common.fail("count", "given along with [[blades]], expected only one of them");
   for (const TomlSection& own : one_by_one)
     blades.push_back(read_blade(own, common, azimuth(blades.size(), one_by_one.size()), model));
+  for (Blade& blade : blades) blade.rotor = rotor;
   return blades;
 }
 

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "models/reader/toml_section.h"
@@ -11,9 +12,15 @@
 
 namespace spoke::spatial {
 
-/// Reads [blade] and [[blades]] from a scenario's root; none if there are none. The model has its
-/// hub and its anchors, on which loops may close.
-std::vector<Blade> read_blades(const TomlSection& root, const Model& model);
+/// Reads [blade] and [[blades]] of a rotor from a scenario's root, or from its table; none if there
+/// are none. The model has its hubs and its anchors, on which loops may close.
+std::vector<Blade> read_blades(const TomlSection& root, int rotor, const Model& model);
+
+/// Reads the number of the rotor that a table names under "rotor"; the first if it names none.
+int read_rotor_of(const TomlSection& section, const Model& model);
+
+/// Reads a name, which must be one.
+std::string read_name(const TomlSection& section, std::string_view key);
 
 /// Reads the bodies, joints and loops of a tree, which has its name, from its table. A joint on the
 /// base may leave out its parent if the model's support stands there. `before`: subsystems that are

@@ -98,6 +98,11 @@ Fault find_fault(const Hub& hub);
 Fault find_fault(const Suspension& suspension);
 /// Finds a fault of a support with its tree.
 Fault find_fault(const Support& support, const Subsystem& tree);
+/// Finds a fault of the axle of a rotor on a support.
+Fault find_axle_fault(const Axle& axle, const Support& support, const Subsystem& tree);
+/// Finds faults of the rotors besides the first, and of names that they share with others. `key`
+/// of a rotor: "rotor.2".
+Fault find_rotors_fault(const Model& model);
 /// Finds what of a model does not fit its support: "hub.mass".
 Fault find_carried_fault(const Model& model);
 /// Finds a fault of a load on a model that is otherwise fine.

@@ -45,6 +45,23 @@ void check_support(const Model& model) {
   require(find_fault(*model.support, model.subsystems.back()).within("support"));
 }
 
+/// Checks the rotors besides the first, and the numbers of rotors that carry something. The support
+/// is checked.
+void check_rotors(const Model& model) {
+  require(find_rotors_fault(model));
+  const Count numbers{0, count_rotors(model) - 1};
+  const auto check_numbers = [&](const std::string& key, const auto& items) {
+    check_each(key, items, [&](const auto& item) {
+      const FirstFault first;
+      first("rotor", item.rotor, numbers, Presence::required);
+      return first.found();
+    });
+  };
+  check_numbers("blades", model.blades);
+  check_numbers("subsystem", model.subsystems);
+  check_numbers("hub_load", model.hub_loads);
+}
+
 /// Checks a subsystem, whose name is to be unlike those before it, and its loops.
 Fault find_tree_fault(const Subsystem& subsystem, const Model& model,
                       std::set<std::string>& names) {
@@ -85,6 +102,7 @@ void read_model_files(Model& model) {
 void check_model(const Model& model) {
   require(find_fault(model.hub).within("hub"));
   check_support(model);
+  check_rotors(model);
   std::vector<Anchor> anchors;
   check_each("anchor", model.anchors, [&](const Anchor& anchor) {
     Fault fault = find_fault(anchor, anchors, find_mount_fault(model), false);

@@ -65,8 +65,10 @@ Fault find_fault(const LoadPlace& place, const Model& model) {
       return {"subsystem", "is \"" + place.subsystem + "\", but there is no [[subsystem]]"};
     return {"subsystem", describe_unknown(place.subsystem, names_of(model.subsystems))};
   }
-  if (is_support(model, *subsystem) && place.body == "hub")
-    return {"body", "is \"hub\", expected a body of the support; [[hub_load]] acts on the hub"};
+  for (int r = 0; is_support(model, *subsystem) && r < count_rotors(model); ++r)
+    if (place.body == prefix_of_rotor(model, r) + "hub")
+      return {"body", "is \"" + place.body +
+                          "\", expected a body of the support; [[hub_load]] acts on the hub"};
   const auto& bodies = subsystem->bodies;
   if (std::any_of(bodies.begin(), bodies.end(),
                   [&](const Body& b) { return b.name == place.body; }))

@@ -134,6 +134,14 @@ Json to_json(const Subsystem& subsystem, const Model& model) {
   return json;
 }
 
+Json to_json(const Axle& axle, SupportBase from) {
+  Json json = {{"body", axle.body.empty() ? base_name(from) : axle.body}};
+  if (axle.station) json.set("station", *axle.station);
+  if (!axle.interface.empty()) json.set("interface", axle.interface);
+  visit_fields(axle, FieldWriter{json});
+  return json;
+}
+
 Json to_json(const Support& support, const Subsystem& tree, const Model& model) {
   Json json = {{"from", name_of(support.from)}};
   if (support.from == SupportBase::free) {
@@ -141,13 +149,23 @@ Json to_json(const Support& support, const Subsystem& tree, const Model& model) 
     json.set("inertia", inertia_to_json(support.fuselage.inertia));
   }
   add_tree(tree, model, json);
-  const Axle& axle = support.axle;
-  Json axle_json = {{"body", axle.body.empty() ? base_name(support.from) : axle.body}};
-  if (axle.station) axle_json.set("station", *axle.station);
-  if (!axle.interface.empty()) axle_json.set("interface", axle.interface);
-  visit_fields(axle, FieldWriter{axle_json});
-  json.set("axle", std::move(axle_json));
+  if (model.hub.name.empty()) json.set("axle", to_json(support.axle, support.from));
   return json;
+}
+
+/// Returns the table of a rotor.
+Json rotor_to_json(const Model& model, int rotor) {
+  Json json = {{"name", hub_of(model, rotor).name},
+               {"hub", to_json(hub_of(model, rotor))},
+               {"axle", to_json(axle_of(model, rotor), model.support->from)}};
+  for (const Blade& blade : model.blades)
+    if (blade.rotor == rotor) json.append("blades", to_json(blade, model));
+  return json;
+}
+
+/// Names the rotor of what one of several carries.
+void add_rotor_of(int rotor, const Model& model, Json& json) {
+  if (!model.hub.name.empty()) json.set("rotor", hub_of(model, rotor).name);
 }
 
 void add_place(const LoadPlace& place, Json& json) {
@@ -204,19 +222,31 @@ void add_list(const char* key, const Items& items, Json& json) {
 
 void add_model(const Model& model, Json& json) {
   json.set("world", "space");
-  json.set("hub", to_json(model.hub));
-  for (const Blade& blade : model.blades) json.append("blades", to_json(blade, model));
-  for (const Subsystem& subsystem : model.subsystems)
-    if (is_support(model, subsystem))
+  if (model.hub.name.empty()) {
+    json.set("hub", to_json(model.hub));
+    for (const Blade& blade : model.blades) json.append("blades", to_json(blade, model));
+  } else {
+    for (int r = 0; r < count_rotors(model); ++r) json.append("rotor", rotor_to_json(model, r));
+  }
+  for (const Subsystem& subsystem : model.subsystems) {
+    if (is_support(model, subsystem)) {
       json.set("support", to_json(*model.support, subsystem, model));
-    else
-      json.append("subsystem", to_json(subsystem, model));
+      continue;
+    }
+    Json made = to_json(subsystem, model);
+    add_rotor_of(subsystem.rotor, model, made);
+    json.append("subsystem", std::move(made));
+  }
   add_anchors(model.anchors, false, json);
   json.set("gravity", {{"acceleration", to_json(model.gravity)}, {"ramp", model.gravity_ramp}});
   json.set("damping", damping_to_json(model.damping));
   add_list("load", model.loads, json);
   add_list("distributed_load", model.distributed_loads, json);
-  add_list("hub_load", model.hub_loads, json);
+  for (const HubLoad& load : model.hub_loads) {
+    Json made = to_json(load);
+    add_rotor_of(load.rotor, model, made);
+    json.append("hub_load", std::move(made));
+  }
   if (model.air) add_air(*model.air, json);
   if (model.pitch_control) json.set("control", {{"pitch", control_to_json(*model.pitch_control)}});
 }

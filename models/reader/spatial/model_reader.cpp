@@ -20,12 +20,27 @@
 #include "models/reader/spatial/support_reader.h"
 #include "models/reader/spatial/vector_reader.h"
 #include "models/scenario.h"
+#include "models/support/nearest_name.h"
 
 namespace spoke::spatial {
 namespace {
 
-TomlSection hub_section(const TomlSection& root) {
-  return root.section("hub", keys::keys_of(keys::kSpaceHubRows));
+/// Returns the table of a hub: of the root's, or of a rotor's.
+TomlSection hub_section(const TomlSection& owner) {
+  return owner.section("hub", keys::keys_of(keys::kSpaceHubRows));
+}
+
+/// Returns the tables [[rotor]]; none where there is the short form of one rotor.
+std::vector<TomlSection> rotor_sections(const TomlSection& root) {
+  std::vector<TomlSection> rotors = root.sections("rotor", keys::keys_of(keys::kRotorRows));
+  if (rotors.empty()) return rotors;
+  for (const char* key : {"hub", "blade", "blades"})
+    if (root.has(key)) root.fail(key, "given along with [[rotor]], expected only one of them");
+  if (!root.has(kSupportName))
+    root.fail("rotor", "is given without [support], which carries the axles");
+  if (const TomlSection support = support_section(root); support.has("axle"))
+    support.fail("axle", "given along with [[rotor]], expected [rotor.axle]");
+  return rotors;
 }
 
 Hub read_hub(const TomlSection& section) {
@@ -46,6 +61,24 @@ Hub read_hub(const TomlSection& section) {
   return hub;
 }
 
+/// Reads the names of the rotors, and the hubs of all but the first.
+void read_other_rotors(const std::vector<TomlSection>& rotors, Model& model) {
+  for (std::size_t r = 0; r < rotors.size(); ++r) {
+    Hub& hub = r == 0 ? model.hub : model.rotors.emplace_back().hub;
+    if (r > 0) {
+      const TomlSection section = hub_section(rotors[r]);
+      if (section.has("suspension"))
+        section.fail("suspension", "given along with [support], expected only one of them");
+      hub = read_hub(section);
+    }
+    hub.name = read_name(rotors[r], "name");
+    for (int before = 0; std::cmp_less(before, r); ++before)
+      if (hub_of(model, before).name == hub.name)
+        rotors[r].fail("name",
+                       "is \"" + hub.name + "\" as another rotor's, expected a name of its own");
+  }
+}
+
 /// Reads what carries the hub's axle, but for the tree of [support].
 void read_support_base(const TomlSection& root, const TomlSection& hub, Model& model) {
   const bool is_suspended = hub.has("suspension");
@@ -58,13 +91,21 @@ void read_support_base(const TomlSection& root, const TomlSection& hub, Model& m
 }
 
 /// Reads the trees of bodies that are no blades; that of the support is the last.
-void read_trees(const TomlSection& root, const std::string& folder, Model& model) {
+void read_trees(const TomlSection& root, const std::vector<TomlSection>& rotors,
+                const std::string& folder, Model& model) {
   std::vector<Subsystem> suspension = std::move(model.subsystems);
   model.subsystems = read_subsystems(root, model, folder);
   std::move(suspension.begin(), suspension.end(), std::back_inserter(model.subsystems));
-  if (root.has(kSupportName)) read_support_tree(support_section(root), folder, model);
+  if (root.has(kSupportName)) {
+    const TomlSection support = support_section(root);
+    read_support_tree(support, rotors.empty() ? support : rotors.front(), folder, model);
+  }
   if (!model.support) return;
-  if (const Fault fault = find_carried_fault(model)) root.fail_at(fault.path, fault.text);
+  for (std::size_t r = 1; r < rotors.size(); ++r)
+    model.rotors[r - 1].axle = read_axle(rotors[r], model.subsystems.back(), model.support->from);
+  if (const Fault fault = find_carried_fault(model))
+    (rotors.empty() ? root : rotors.front()).fail_at(fault.path, fault.text);
+  if (const Fault fault = find_rotors_fault(model)) root.fail_at(fault.path, fault.text);
 }
 
 LoadPlace read_place(const TomlSection& section, const Model& model) {
@@ -141,6 +182,7 @@ void read_hub_loads(const TomlSection& root, Model& model) {
        root.sections("hub_load", keys::keys_of(keys::kSpaceHubLoadRows, keys::kLoadNameRows,
                                                keys::kLoadCourseRows<HubLoad>))) {
     HubLoad load;
+    load.rotor = read_rotor_of(section, model);
     require_one(section, "force", "torque");
     if (section.has("position") && !section.has("force"))
       section.fail("position", "would be ignored, expected only with \"force\"");
@@ -151,14 +193,32 @@ void read_hub_loads(const TomlSection& root, Model& model) {
 
 }  // namespace
 
+int read_rotor_of(const TomlSection& section, const Model& model) {
+  if (!section.has("rotor")) return 0;
+  const std::string name = section.text("rotor", "");
+  if (model.hub.name.empty())
+    section.fail("rotor", "is \"" + name + "\", but there is no [[rotor]]");
+  std::vector<std::string_view> names;
+  for (int r = 0; r < count_rotors(model); ++r) {
+    if (hub_of(model, r).name == name) return r;
+    names.push_back(hub_of(model, r).name);
+  }
+  section.fail("rotor", describe_unknown(name, names));
+}
+
 Model read_model(const TomlSection& root, const std::string& folder) {
   Model model;
-  const TomlSection hub = hub_section(root);
+  const std::vector<TomlSection> rotors = rotor_sections(root);
+  const TomlSection hub = hub_section(rotors.empty() ? root : rotors.front());
   model.hub = read_hub(hub);
   read_support_base(root, hub, model);
+  read_other_rotors(rotors, model);
   model.anchors = read_anchors(root, find_mount_fault(model), false);
-  model.blades = read_blades(root, model);
-  read_trees(root, folder, model);
+  if (rotors.empty()) model.blades = read_blades(root, 0, model);
+  for (std::size_t r = 0; r < rotors.size(); ++r)
+    for (Blade& blade : read_blades(rotors[r], static_cast<int>(r), model))
+      model.blades.push_back(std::move(blade));
+  read_trees(root, rotors, folder, model);
   if (model.blades.empty() && model.subsystems.empty() && !moves_alone(model.hub))
     root.fail("blade", "is missing, expected [blade], [[blades]] or [[subsystem]]");
   const std::string size_fault = find_size_fault(model);

@@ -17,11 +17,6 @@
 namespace spoke::spatial {
 namespace {
 
-std::string read_name(const TomlSection& section, std::string_view key) {
-  if (!section.has(key)) section.fail(key, "is missing, expected a name");
-  return section.text(key, "");
-}
-
 TomlSection::Keys rigid_keys() { return keys::keys_of(keys::kRigidBodyRows); }
 
 /// Refuses keys of the other kinds of bodies, which would be ignored.
@@ -91,6 +86,7 @@ Subsystem read_subsystem(const TomlSection& section, const Model& model, const s
   Subsystem subsystem;
   subsystem.name = read_name(section, "name");
   keys::read(section, keys::kSubsystemRows, &subsystem);
+  subsystem.rotor = read_rotor_of(section, model);
   if (subsystem.name == kSupportName)
     section.fail("name", "is \"support\", which is the name of [support]; expected another one");
   read_tree(section, model, folder, before, subsystem);
@@ -119,6 +115,11 @@ std::vector<TomlSection> find_tables(const TomlSection& root) {
 }
 
 }  // namespace
+
+std::string read_name(const TomlSection& section, std::string_view key) {
+  if (!section.has(key)) section.fail(key, "is missing, expected a name");
+  return section.text(key, "");
+}
 
 std::optional<double> read_station(const TomlSection& section, const Subsystem& tree,
                                    const std::string& body) {

@@ -1,6 +1,8 @@
 // Rules for supports, suspensions, and for what stands on them.
 
 #include <algorithm>
+#include <set>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -49,8 +51,45 @@ Fault find_joint_fault(const Joint& joint) {
   return {};
 }
 
-Fault find_axle_fault(const Support& support, const Subsystem& tree) {
-  const Axle& axle = support.axle;
+/// Finds what a rotor on a support must have, whose blades and subsystems it carries if any.
+Fault find_hub_fault(const Model& model, int rotor) {
+  const Hub& hub = hub_of(model, rotor);
+  if (hub.support == HubSupport::free)
+    return {"support",
+            "is \"free\", but the hub is on a support, which carries its axle; expected \"axle\""};
+  if (hub.mount && model.support->from == SupportBase::free)
+    return {"mount", "moves the ground, expected none of a support that is free"};
+  if (hub.mount && rotor > 0)
+    return {"mount", "moves the ground, expected in the hub of the first rotor"};
+  const auto is_on_it = [&](const auto& carried) { return carried.rotor == rotor; };
+  const bool is_alone =
+      std::none_of(model.blades.begin(), model.blades.end(), is_on_it) &&
+      std::none_of(model.subsystems.begin(), model.subsystems.end() - 1, is_on_it);
+  if (is_alone && !(hub.mass > 0.0))
+    return {"mass", "is " + describe(hub.mass) +
+                        ", expected a number greater than 0 (kg) of a hub that moves on a "
+                        "support and carries nothing"};
+  return {};
+}
+
+/// Finds a body or joint of a support that has the name of the hub or axle of a rotor.
+Fault find_taken_name(const Model& model, int rotor) {
+  const std::string prefix = prefix_of_rotor(model, rotor);
+  const Subsystem& tree = model.subsystems.back();
+  for (std::size_t i = 0; i < tree.bodies.size(); ++i)
+    if (tree.bodies[i].name == prefix + "hub")
+      return {"support.body." + std::to_string(i + 1) + ".name",
+              "is \"" + prefix + "hub\", which is the hub of a rotor; expected another name"};
+  for (std::size_t i = 0; i < tree.joints.size(); ++i)
+    if (tree.joints[i].joint.name == prefix + "axle")
+      return {"support.joint." + std::to_string(i + 1) + ".name",
+              "is \"" + prefix + "axle\", which is the axle of a rotor; expected another name"};
+  return {};
+}
+
+}  // namespace
+
+Fault find_axle_fault(const Axle& axle, const Support& support, const Subsystem& tree) {
   const FirstFault first;
   const Body* carrier = nullptr;
   std::vector<std::string_view> names;
@@ -66,8 +105,6 @@ Fault find_axle_fault(const Support& support, const Subsystem& tree) {
   visit_fields(axle, first);
   return first.found();
 }
-
-}  // namespace
 
 Fault find_fault(const Suspension& suspension) {
   const FirstFault first;
@@ -98,22 +135,33 @@ Fault find_fault(const Support& support, const Subsystem& tree) {
                               ", but a support does not stand around the hub's axis; expected 0"});
   for (std::size_t i = 0; i < tree.joints.size() && !first.found(); ++i)
     first.add(find_joint_fault(tree.joints[i].joint).within("joint." + std::to_string(i + 1)));
-  if (!first.found()) first.add(find_axle_fault(support, tree).within("axle"));
+  if (!first.found()) first.add(find_axle_fault(support.axle, support, tree).within("axle"));
   return first.found();
 }
 
-Fault find_carried_fault(const Model& model) {
-  const Hub& hub = model.hub;
-  if (hub.support == HubSupport::free)
-    return {"hub.support",
-            "is \"free\", but the hub is on a support, which carries its axle; expected \"axle\""};
-  if (hub.mount && model.support->from == SupportBase::free)
-    return {"hub.mount", "moves the ground, expected none of a support that is free"};
-  const bool is_alone = model.blades.empty() && model.subsystems.size() == 1;
-  if (is_alone && !(hub.mass > 0.0))
-    return {"hub.mass", "is " + describe(hub.mass) +
-                            ", expected a number greater than 0 (kg) of a hub that moves on a "
-                            "support and carries nothing"};
+Fault find_carried_fault(const Model& model) { return find_hub_fault(model, 0).within("hub"); }
+
+Fault find_rotors_fault(const Model& model) {
+  if (model.rotors.empty()) return {};
+  if (!model.support) return {"rotor", "is given without [support], which carries the axles"};
+  std::set<std::string> names;
+  for (int r = 0; r < count_rotors(model); ++r) {
+    const std::string key = "rotor." + std::to_string(r + 1);
+    const std::string& name = hub_of(model, r).name;
+    const FirstFault first;
+    first.add(find_name_fault(name));
+    if (!first.found() && !names.insert(name).second)
+      first.add({"name", "is \"" + name + "\" as another rotor's, expected a name of its own"});
+    if (r > 0) {
+      first.add(find_fault(hub_of(model, r)).within("hub"));
+      if (!first.found()) first.add(find_hub_fault(model, r).within("hub"));
+      if (!first.found())
+        first.add(find_axle_fault(axle_of(model, r), *model.support, model.subsystems.back())
+                      .within("axle"));
+    }
+    if (first.found()) return first.found().within(key);
+    if (Fault taken = r > 0 ? find_taken_name(model, r) : Fault{}) return taken;
+  }
   return {};
 }
 

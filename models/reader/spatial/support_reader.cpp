@@ -19,9 +19,10 @@ void read_directions(const TomlSection& section, std::string_view key, std::stri
   std::copy(read.begin(), read.end(), values.begin());
 }
 
-/// Reads where the axle stands. What the support stands on may carry it, by its name.
-Axle read_axle(const TomlSection& support, const Subsystem& tree, SupportBase from) {
-  const TomlSection section = support.section("axle", keys::keys_of(keys::kAxleRows));
+}  // namespace
+
+Axle read_axle(const TomlSection& owner, const Subsystem& tree, SupportBase from) {
+  const TomlSection section = owner.section("axle", keys::keys_of(keys::kAxleRows));
   Axle axle;
   axle.body = section.text("body", "");
   if (!section.has("body") && !tree.bodies.empty())
@@ -32,8 +33,6 @@ Axle read_axle(const TomlSection& support, const Subsystem& tree, SupportBase fr
   if (from == SupportBase::free && axle.body == base_name(from)) axle.body.clear();
   return axle;
 }
-
-}  // namespace
 
 TomlSection support_section(const TomlSection& root) {
   return root.section(kSupportName, keys::keys_of(keys::kSupportRows, keys::kFuselageRows,
@@ -54,12 +53,16 @@ Support read_base(const TomlSection& section) {
   return support;
 }
 
-void read_support_tree(const TomlSection& section, const std::string& folder, Model& model) {
+void read_support_tree(const TomlSection& section, const TomlSection& first,
+                       const std::string& folder, Model& model) {
   Subsystem tree;
   tree.name = kSupportName;
   read_tree(section, model, folder, model.subsystems, tree);
-  model.support->axle = read_axle(section, tree, model.support->from);
-  if (const Fault fault = find_fault(*model.support, tree)) section.fail_at(fault.path, fault.text);
+  model.support->axle = read_axle(first, tree, model.support->from);
+  if (const Fault fault = find_fault(*model.support, tree)) {
+    const bool is_of_axle = fault.path == "axle" || fault.path.starts_with("axle.");
+    (is_of_axle ? first : section).fail_at(fault.path, fault.text);
+  }
   model.subsystems.push_back(std::move(tree));
 }
 

@@ -15,9 +15,14 @@ TomlSection support_section(const TomlSection& root);
 /// Reads what a support stands on, from [support].
 Support read_base(const TomlSection& section);
 
-/// Reads the tree of the model's support, which becomes its last subsystem, and the axle. Meshes
-/// are relative to `folder`.
-void read_support_tree(const TomlSection& section, const std::string& folder, Model& model);
+/// Reads the tree of the model's support, which becomes its last subsystem, and the axle of the
+/// first rotor from the table `first`. Meshes are relative to `folder`.
+void read_support_tree(const TomlSection& section, const TomlSection& first,
+                       const std::string& folder, Model& model);
+
+/// Reads where the axle of a rotor stands, from the table that has it. What the support stands on,
+/// `from`, may carry it, by its name.
+Axle read_axle(const TomlSection& owner, const Subsystem& tree, SupportBase from);
 
 /// Reads [hub.suspension].
 Suspension read_suspension(const TomlSection& section);

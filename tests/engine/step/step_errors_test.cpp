@@ -347,13 +347,30 @@ TEST_CASE("a state that is restored has its error of a step and its iteration") 
 }
 
 TEST_CASE("the steps of shipped scenarios are small enough") {
-  for (const char* name :
-       {"andrews_squeezer", "articulated_rotor",      "bricard",           "drone_rotor",
-        "four_bar",         "free_hub_satellite",     "ground_resonance",  "helicopter_on_gear",
-        "helicopter_rotor", "nrel_5mw_rotor",         "nrel_5mw_turbine",  "paper_rotor",
-        "satellite_booms",  "simo_vu_quoc_beam",      "solid_blade_rotor", "solid_bracket",
-        "spatial_wu_haug",  "spin_up_hold_spin_down", "tree_of_bodies",    "vehicle",
-        "whirl_rotor",      "wu_haug_rotor",          "wu_haug_solid"}) {
+  for (const char* name : {"andrews_squeezer",
+                           "articulated_rotor",
+                           "bricard",
+                           "drone_rotor",
+                           "four_bar",
+                           "free_hub_satellite",
+                           "ground_resonance",
+                           "helicopter_on_gear",
+                           "helicopter_rotor",
+                           "nrel_5mw_rotor",
+                           "nrel_5mw_turbine",
+                           "paper_rotor",
+                           "quadcopter",
+                           "satellite_booms",
+                           "simo_vu_quoc_beam",
+                           "solid_blade_rotor",
+                           "solid_bracket",
+                           "spatial_wu_haug",
+                           "spin_up_hold_spin_down",
+                           "tree_of_bodies",
+                           "vehicle",
+                           "whirl_rotor",
+                           "wu_haug_rotor",
+                           "wu_haug_solid"}) {
     CAPTURE(name);
     Scenario scenario = read_shipped(name);
     Simulation simulation(scenario, kSerial);

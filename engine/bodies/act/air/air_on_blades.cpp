@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <string>
 
 #include "engine/bodies/act/marker_parts.h"
 #include "engine/bodies/air/rotor_coefficients.h"
@@ -86,9 +87,13 @@ std::unique_ptr<AirData> place_on(const BladeAirModel& model, std::size_t i,
 AirOnBlades::AirOnBlades(const System<Space>& system, StepData<Space>& data)
     : system_(system), data_(data), blades_(system.subsystems.size()) {
   assert(system.wind || !acts(system));
-  for (std::size_t i = 0; i < system.subsystems.size(); ++i)
-    if (system.subsystems[i].air)
-      blades_[i] = place_on(*system.subsystems[i].air, i, data.subsystems[i]);
+  for (std::size_t i = 0; i < system.subsystems.size(); ++i) {
+    const Subsystem<Space>& subsystem = system.subsystems[i];
+    if (!subsystem.air) continue;
+    blades_[i] = place_on(*subsystem.air, i, data.subsystems[i]);
+    if (std::find(rotors_.begin(), rotors_.end(), subsystem.rotor) == rotors_.end())
+      rotors_.push_back(subsystem.rotor);
+  }
 }
 
 bool AirOnBlades::acts(const System<Space>& system) {
@@ -144,37 +149,46 @@ void AirOnBlades::keep_values(std::size_t i, double /*t*/, double* into) const n
 
 std::vector<ActorColumn> AirOnBlades::columns(ColumnPlace place) const {
   if (place != ColumnPlace::last) return {};
-  return {{"air.wind", "m/s"},
-          {"air.thrust", "N"},
-          {"air.torque", "N m"},
-          {"air.power", "W"},
-          {"air.thrust_coefficient", ""},
-          {"air.power_coefficient", ""}};
+  std::vector<ActorColumn> columns;
+  for (const int r : rotors_) {
+    const std::string name =
+        (r < 0 ? "" : system_.rotors[static_cast<std::size_t>(r)].prefix) + "air.";
+    columns.insert(columns.end(), {{name + "wind", "m/s"},
+                                   {name + "thrust", "N"},
+                                   {name + "torque", "N m"},
+                                   {name + "power", "W"},
+                                   {name + "thrust_coefficient", ""},
+                                   {name + "power_coefficient", ""}});
+  }
+  return columns;
 }
 
 void AirOnBlades::append_values(ColumnPlace place, std::int64_t step,
                                 std::span<const double* const> kept,
                                 std::vector<double>& values) const {
   if (place != ColumnPlace::last) return;
-  const SystemRecord<Space>& record = of_step(data_.records, step);
-  const double speed = system_.rotors.empty() ? record.velocity[Space::kAxial]
-                                              : record.rotor.velocity[Space::kAxial];
-  double wind = 0.0;
-  air::RotorLoads rotor{0.0, 0.0, speed, 0.0, 0.0};
-  for (std::size_t i = 0; i < blades_.size(); ++i) {
-    const BladeAirModel* model = system_.subsystems[i].air.get();
-    if (!model) continue;
-    AirSum own;
-    std::copy_n(kept[i], count_values(i), doubles(own).begin());
-    rotor.thrust += own.thrust;
-    rotor.torque += own.torque;
-    wind = own.wind;
-    rotor.radius = model->tip_radius;
-    rotor.density = model->air->density;
+  for (const int r : rotors_) {
+    const double speed = r < 0 ? of_step(data_.records, step).velocity[Space::kAxial]
+                               : of_step(data_.rotors[static_cast<std::size_t>(r)].records, step)
+                                     .velocity[Space::kAxial];
+    double wind = 0.0;
+    air::RotorLoads rotor{0.0, 0.0, speed, 0.0, 0.0};
+    for (std::size_t i = 0; i < blades_.size(); ++i) {
+      const Subsystem<Space>& subsystem = system_.subsystems[i];
+      const BladeAirModel* model = subsystem.air.get();
+      if (!model || subsystem.rotor != r) continue;
+      AirSum own;
+      std::copy_n(kept[i], count_values(i), doubles(own).begin());
+      rotor.thrust += own.thrust;
+      rotor.torque += own.torque;
+      wind = own.wind;
+      rotor.radius = model->tip_radius;
+      rotor.density = model->air->density;
+    }
+    const air::RotorCoefficients coefficients = calc_wind_coefficients(rotor, wind);
+    values.insert(values.end(), {wind, rotor.thrust, rotor.torque, rotor.torque * speed,
+                                 coefficients.thrust, coefficients.power});
   }
-  const air::RotorCoefficients coefficients = calc_wind_coefficients(rotor, wind);
-  values.insert(values.end(), {wind, rotor.thrust, rotor.torque, rotor.torque * speed,
-                               coefficients.thrust, coefficients.power});
 }
 
 std::optional<space::Twist> AirOnBlades::read(std::size_t i,

@@ -53,7 +53,7 @@ class AirOnBlades final : public Actor<Space> {
   std::size_t count_values(std::size_t i) const override;
   void keep_values(std::size_t i, double t, double* into) const noexcept override;
   std::vector<ActorColumn> columns(ColumnPlace place) const override;
-  /// Sums over the blades.
+  /// Sums over the blades of each rotor.
   void append_values(ColumnPlace place, std::int64_t step, std::span<const double* const> kept,
                      std::vector<double>& values) const override;
   /// Linear between stations.
@@ -69,6 +69,7 @@ class AirOnBlades final : public Actor<Space> {
   const System<Space>& system_;
   StepData<Space>& data_;
   std::vector<std::unique_ptr<AirData>> blades_;  ///< by subsystem
+  std::vector<int> rotors_;  ///< rotors whose blades are in air, as Subsystem::rotor has them
 };
 
 }  // namespace spoke

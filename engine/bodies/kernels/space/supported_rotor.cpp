@@ -104,25 +104,27 @@ const HubState<Space>& shown_hub(const StepData<Space>& data) noexcept {
   return data.rotors.empty() ? data.hub : data.rotors.front().hub;
 }
 
-void record_rotor(const System<Space>& system, double t, const StepData<Space>& data,
-                  SystemRecord<Space>& record) noexcept {
-  if (system.rotors.empty()) return;
-  const SupportedRotor& model = system.rotors[0];
-  const RotorData<Space>& rotor = data.rotors[0];
-  const space::Angular w = angular(rotor.hub.twist);
-  RotorRecord<Space>& made = record.rotor;
-  made.position = space::make_twist(rotor.hub.p, space::Angular(0.0, 0.0, rotor.turn.angle));
-  made.velocity = space::make_twist(rotor.hub.R * space::Position(linear(rotor.hub.twist)),
-                                    space::Angular(w.x(), w.y(), rotor.turn.speed));
-  made.rotation = {rotor.hub.R, w.z() - rotor.turn.speed};
-  made.reaction = data.subsystems[static_cast<std::size_t>(model.subsystem)]
-                      .wrenches[static_cast<std::size_t>(model.body)]
-                      .inboard;
-  made.applied_torque = 0.0;
-  const Drive& drive = drive_of(system);
-  if (prescribes_motion(drive)) return;
-  made.reaction[Space::kAxial] = 0.0;
-  made.applied_torque = calc_torque(drive, t, rotor.turn.speed);
+void record_rotors(const System<Space>& system, double t, std::int64_t step,
+                   StepData<Space>& data) noexcept {
+  for (std::size_t r = 0; r < system.rotors.size(); ++r) {
+    const SupportedRotor& model = system.rotors[r];
+    RotorData<Space>& rotor = data.rotors[r];
+    const SubsystemData<Space>& support =
+        data.subsystems[static_cast<std::size_t>(model.subsystem)];
+    const auto j = static_cast<std::size_t>(model.body);
+    const space::Angular w = angular(rotor.hub.twist);
+    RotorRecord<Space>& made = of_step(rotor.records, step);
+    made.position = space::make_twist(rotor.hub.p, space::Angular(0.0, 0.0, rotor.turn.angle));
+    made.velocity = space::make_twist(rotor.hub.R * space::Position(linear(rotor.hub.twist)),
+                                      space::Angular(w.x(), w.y(), rotor.turn.speed));
+    made.rotation = {rotor.hub.R, w.z() - rotor.turn.speed};
+    made.reaction = support.wrenches[j].inboard;
+    made.applied_torque = 0.0;
+    const Drive& drive = drive_of(system, static_cast<int>(r));
+    if (prescribes_motion(drive)) continue;
+    made.reaction[Space::kAxial] = 0.0;
+    made.applied_torque = calc_torque(drive, t, rotor.turn.speed);
+  }
 }
 
 }  // namespace spoke

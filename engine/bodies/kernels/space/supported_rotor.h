@@ -44,11 +44,10 @@ void update_rotors(const System<Space>& system, double t, StepData<Space>& data)
 /// one. Precondition: the table is coupled, or the caller has set data.hub.
 const HubState<Space>& shown_hub(const StepData<Space>& data) noexcept;
 
-/// Records the motion of the first rotor's hub, the wrench of its axle on it and the torque of its
-/// drive at the end of a step at time t [s].
-inline void record_rotor(const System<Plane>&, double, const StepData<Plane>&,
-                         SystemRecord<Plane>&) noexcept {}
-void record_rotor(const System<Space>& system, double t, const StepData<Space>& data,
-                  SystemRecord<Space>& record) noexcept;
+/// Records the motion of the hubs of rotors on supports, the wrench of each one's axle on it and
+/// the torque of its drive at the end of step `step`, at time t [s].
+inline void record_rotors(const System<Plane>&, double, std::int64_t, StepData<Plane>&) noexcept {}
+void record_rotors(const System<Space>& system, double t, std::int64_t step,
+                   StepData<Space>& data) noexcept;
 
 }  // namespace spoke

@@ -30,6 +30,21 @@ Frame frame_of(const Simulation& simulation, const Scene& scene) {
   return frame;
 }
 
+/// Checks that the frame of a scenario is that of the simulation at its start.
+void check_first_frame(const Scenario& scenario) {
+  const Scene scene = make_scene(scenario, 1000);
+  const Frame drawn = make_first_frame(scenario, scene);
+  const Frame simulated = frame_of(Simulation(scenario, kSerial), scene);
+  REQUIRE(drawn.groups.size() == simulated.groups.size());
+  for (std::size_t g = 0; g < drawn.groups.size(); ++g) {
+    CAPTURE(g);
+    CHECK((drawn.groups[g].rotation - simulated.groups[g].rotation).norm() < 1e-12);
+    CHECK((drawn.groups[g].position - simulated.groups[g].position).norm() < 1e-12);
+  }
+  for (std::size_t k = 0; k < scene.nodes.size(); ++k)
+    CHECK((drawn.place(scene, k) - simulated.place(scene, k)).norm() < 1e-12);
+}
+
 }  // namespace
 
 TEST_CASE("groups, displacements and rotations of a frame make the places of the nodes") {
@@ -94,20 +109,11 @@ TEST_CASE("the first frame is what a simulation begins with") {
   for (const auto& [hub, bodies] :
        {std::pair{kFlyingHub, kTree}, std::pair{kFlyingHub, kMotors + kForest},
         std::pair{kTurnedHub, kBooms + kHinges}, std::pair{kDrivenHub, kBooms + kPitch},
-        std::pair{kTurnedHub, kBooms + kTower}, std::pair{kFuselageHub, kBooms}}) {
-    const Scenario scenario = scenario_of(hub, bodies);
-    const Scene scene = make_scene(scenario, 1000);
-    const Frame drawn = make_first_frame(scenario, scene);
-    const Frame simulated = frame_of(Simulation(scenario, kSerial), scene);
-    REQUIRE(drawn.groups.size() == simulated.groups.size());
-    for (std::size_t g = 0; g < drawn.groups.size(); ++g) {
-      CAPTURE(g);
-      CHECK((drawn.groups[g].rotation - simulated.groups[g].rotation).norm() < 1e-12);
-      CHECK((drawn.groups[g].position - simulated.groups[g].position).norm() < 1e-12);
-    }
-    for (std::size_t k = 0; k < scene.nodes.size(); ++k)
-      CHECK((drawn.place(scene, k) - simulated.place(scene, k)).norm() < 1e-12);
-  }
+        std::pair{kTurnedHub, kBooms + kTower}, std::pair{kFuselageHub, kBooms}})
+    check_first_frame(scenario_of(hub, bodies));
+  Scenario rotors = read_shipped("quadcopter");
+  rotors.space->support->fuselage.attitude = {0.1, -0.2, 0.3};
+  check_first_frame(rotors);
 }
 
 TEST_CASE("frames of a planar rotor have the blades' shapes and forces") {

@@ -10,6 +10,7 @@
 #include "engine/output/vtk/spatial_vtk.h"
 #include "tests/engine/bodies/space/system/models.h"
 #include "tests/engine/output/vtk/vtk_numbers.h"
+#include "tests/shipped.h"
 
 using namespace spoke;
 using namespace spoke::test;
@@ -43,6 +44,24 @@ Scenario machine(std::string text, double step) {
   for (std::size_t at = 0; (at = text.find(beam, at)) != std::string::npos; at += beam.size())
     at = text.insert(at, plain).find(beam, at);
   return make_scenario(text, step, 1.0);
+}
+
+/// Checks the velocities of all points against differences of their places, to `error` [m/s].
+void check_drawn_velocities(const Scenario& scenario, double error) {
+  Simulation simulation(scenario, kVtkOptions);
+  simulation.run_until(0.05);
+  SpatialVtk vtk(scenario);
+  const auto before = vectors_of(vtk.make(simulation), "points");
+  simulation.step();
+  const auto velocities = vectors_of(vtk.make(simulation), "velocity");
+  simulation.step();
+  const auto after = vectors_of(vtk.make(simulation), "points");
+  REQUIRE(before.size() == velocities.size());
+  double largest = 0.0;
+  for (std::size_t k = 0; k < before.size(); ++k)
+    largest = std::max(
+        largest, (velocities[k] - (after[k] - before[k]) / (2.0 * simulation.step_size())).norm());
+  CHECK(largest < error);
 }
 
 }  // namespace
@@ -82,23 +101,27 @@ TEST_CASE("a VTK file has a support's nodes, and the rotor's, where views have t
 }
 
 TEST_CASE("all that is drawn of a machine moves as its velocities say") {
-  constexpr double kStep = 1e-4;
-  for (const std::string& text : machine_texts()) {
-    const Scenario scenario = machine(text, kStep);
-    Simulation simulation(scenario, kVtkOptions);
-    simulation.run_until(0.05);
-    SpatialVtk vtk(scenario);
-    const auto before = vectors_of(vtk.make(simulation), "points");
-    simulation.step();
-    const auto velocities = vectors_of(vtk.make(simulation), "velocity");
-    simulation.step();
-    const auto after = vectors_of(vtk.make(simulation), "points");
-    REQUIRE(before.size() == velocities.size());
-    double largest = 0.0;
-    for (std::size_t k = 0; k < before.size(); ++k)
-      largest = std::max(largest, (velocities[k] - (after[k] - before[k]) / (2.0 * kStep)).norm());
-    CHECK(largest < 1e-3);
+  for (const std::string& text : machine_texts()) check_drawn_velocities(machine(text, 1e-4), 1e-3);
+}
+
+TEST_CASE("blades of several rotors are drawn where their markers are, and move as they do") {
+  Scenario scenario = read_shipped("quadcopter");
+  for (spatial::Blade& blade : scenario.space->blades) blade.beam.geometric_stiffening = false;
+  Simulation simulation(scenario, kVtkOptions);
+  simulation.run_until(0.15);  // it rolls, and the rotors have turned by different angles
+  const std::vector<Vector> points = vectors_of(SpatialVtk(scenario).make(simulation), "points");
+  const scene::Scene scene = scene::make_scene(simulation, 1000);
+  std::size_t blades = 0;
+  for (std::size_t k = 0; k < scene.sources.size(); ++k) {
+    const scene::NodeSource& source = scene.sources[k];
+    if (source.subsystem == scene.support) continue;
+    const MarkerState marker =
+        simulation.marker({source.subsystem, source.body, source.node / 3.0});
+    CHECK((points[k] - marker.position).norm() < 1e-9);
+    blades += source.node == 3;
   }
+  CHECK(blades == 8);
+  check_drawn_velocities(scenario, 0.02);  // of a tip at 76 m/s
 }
 
 TEST_CASE("scenes of a machine show its loop closed on an anchor of the ground, from the start") {
