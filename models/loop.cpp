@@ -76,6 +76,7 @@ std::string_view name_of(LoopKind kind) {
 }
 
 std::string_view name_of(Anchor::Frame frame) {
+  if (frame == Anchor::Frame::axle) return "axle";
   return frame == Anchor::Frame::hub ? "hub" : "mount";
 }
 

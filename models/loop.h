@@ -89,21 +89,22 @@ struct ProgramAnchorMotion {
 /// A frame whose motion is prescribed, for loops to close on: a swashplate. What moves it takes up
 /// its forces, and rests on the hub or the mount.
 struct Anchor {
-  /// The frame in which it moves: the hub's, or that of the mount, in which the hub turns about its
-  /// axle.
-  enum class Frame { hub, mount };
+  /// The frame in which it moves: the hub's; that of the mount, in which the hub turns about its
+  /// axle; or, of a hub on a support, the one in which it turns there: the hub's frame at angle 0,
+  /// which moves with the body that carries the axle. What it takes up rests on that body.
+  enum class Frame { hub, mount, axle };
 
   std::string name{};          ///< name, unlike that of any other anchor
   Frame frame = Frame::mount;  ///< frame in which its motion is given
-  /// Whether it turns with the hub, by the same angle about the hub's axis in its own frame; only
-  /// of the frame `mount`. Its rotation tilts it as it stands: a swashplate, whose tilt does not
+  /// Whether it turns with the hub, by the same angle about the hub's axis in its own frame; not of
+  /// the frame `hub`. Its rotation tilts it as it stands: a swashplate, whose tilt does not
   /// turn.
   bool turns_with_hub = false;
   /// Motion of its frame.
   std::variant<spatial::MountMotion, ProgramAnchorMotion> motion{};
 };
 
-/// Returns "hub" or "mount".
+/// Returns "hub", "mount" or "axle".
 SPOKE_EXPORT std::string_view name_of(Anchor::Frame frame);
 
 }  // namespace spoke

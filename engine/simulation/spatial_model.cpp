@@ -138,7 +138,7 @@ MarkerMotion SpatialModel::carrier_frame(int anchor, double t) const {
   MarkerMotion motion = calc_carrier_frame(context_, anchor, t);
   const spatial::Model& model = *scenario_.space;
   const bool is_of_hub =
-      anchor >= 0 && model.anchors[static_cast<std::size_t>(anchor)].frame == Anchor::Frame::hub;
+      anchor >= 0 && model.anchors[static_cast<std::size_t>(anchor)].frame != Anchor::Frame::mount;
   // What a support stands on has the axes of the description.
   if (!model.support || is_of_hub)
     motion.rotation *= rotor_placement(model.hub).rotation.transpose();

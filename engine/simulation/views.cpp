@@ -31,14 +31,14 @@ Wrench wrench_in_space(const space::Twist& wrench) {
 }
 
 /// Returns the hub that an anchor, or the mount (-1), moves against: of a rotor on a support its
-/// own for anchors of the frame "hub", what the support stands on for all others.
+/// own for anchors of the frames "hub" and "axle", what the support stands on for all others.
 HubState<Plane> find_carrier_hub(const SystemContext<Plane>& context, int) {
   return calc_hub_state(context.data);
 }
 HubState<Space> find_carrier_hub(const SystemContext<Space>& context, int anchor) {
   const bool is_of_rotor =
       !context.data.rotors.empty() && anchor >= 0 &&
-      context.system.anchors[static_cast<std::size_t>(anchor)].frame == Anchor::Frame::hub;
+      context.system.anchors[static_cast<std::size_t>(anchor)].frame != Anchor::Frame::mount;
   return is_of_rotor ? context.data.rotors.front().hub : calc_hub_state(context.data);
 }
 
@@ -50,7 +50,9 @@ MarkerMotion calc_carrier(const SystemContext<World>& context, int anchor, doubl
   place.anchor = anchor;
   const HubState<World> own = find_carrier_hub(context, anchor);
   const HubState<Space>& hub = hub_in_space(own);
-  const PlaceMotion in_hub = calc_carried_place(context.system, own, place, t).motion;
+  const DriveMotion* const axle =
+      context.data.rotors.empty() ? nullptr : &context.data.rotors.front().turn;
+  const PlaceMotion in_hub = calc_carried_place(context.system, own, axle, place, t).motion;
   const space::Twist velocity = hub.R * in_hub.twist;
   return {hub.p + hub.R * in_hub.p, (hub.R * in_hub.R).axes, linear(velocity), angular(velocity)};
 }

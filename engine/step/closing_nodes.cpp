@@ -67,7 +67,11 @@ void add_finish(const Assembly<World>& g) {
   PartList reports;
   for (std::size_t i = 0; i < c.data.subsystems.size(); ++i) {
     const SubsystemParts& own = c.data.subsystems[i].parts;
-    if (!own.loops.is_empty()) reports.push_back(own.loops.report);
+    if (!own.loops.is_empty()) {
+      reports.push_back(own.loops.report);
+      if (c.data.subsystems[i].rotor >= 0)  // see record_rotors()
+        graph::add_to(reports, own.loops.motion, own.loops.factor);
+    }
     list_states(c.data.subsystems[i], reports, outputs);
   }
   if (is_corrected) outputs.push_back(parts.hub_state);

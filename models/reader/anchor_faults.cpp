@@ -5,6 +5,9 @@
 namespace spoke {
 namespace {
 
+constexpr const char* kNoSupport =
+    "is \"axle\", which belongs to a hub on a support; expected \"mount\" or \"hub\"";
+
 using spatial::FirstFault;
 
 /// Whether a component of a course is 0 all the time.
@@ -71,11 +74,13 @@ Fault find_fault(const Anchor& anchor, const std::vector<Anchor>& before,
       first.add(
           {"name", "is \"" + anchor.name + "\" as another anchor's, expected a name of its own"});
   const bool is_of_hub = anchor.frame == Anchor::Frame::hub;
-  if (!is_of_hub && !mount_fault.empty()) first.add({"frame", mount_fault});
+  if (in_plane && anchor.frame == Anchor::Frame::axle) first.add({"frame", kNoSupport});
+  if (anchor.frame == Anchor::Frame::mount && !mount_fault.empty())
+    first.add({"frame", mount_fault});
   if (is_of_hub && anchor.turns_with_hub)
     first.add({"turns_with_hub",
                "is true in the frame \"hub\", which turns with the hub itself; expected it only "
-               "with frame = \"mount\""});
+               "with frame = \"mount\" or \"axle\""});
   std::visit(
       [&](const auto& motion) {
         first.add(find_motion_fault(motion));
@@ -83,6 +88,19 @@ Fault find_fault(const Anchor& anchor, const std::vector<Anchor>& before,
       },
       anchor.motion);
   return first.found();
+}
+
+Fault find_axle_frame_fault(const spatial::Model& model) {
+  for (std::size_t i = 0; i < model.anchors.size(); ++i) {
+    if (model.anchors[i].frame != Anchor::Frame::axle) continue;
+    const std::string key = "anchor." + std::to_string(i + 1) + ".frame";
+    if (!model.support) return {key, kNoSupport};
+    if (!prescribes_motion(model.hub.drive))
+      return {key,
+              "is \"axle\", but no drive prescribes the hub's angle, so that its forces would turn "
+              "the hub; expected a drive that does, or \"hub\""};
+  }
+  return {};
 }
 
 }  // namespace spoke

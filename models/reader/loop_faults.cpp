@@ -81,13 +81,18 @@ Fault find_body_fault(const LoopPlace& place, const LoopSurroundings& around) {
 /// Finds an anchor that does not move with what carries the bodies: the hub on a support, and the
 /// support, are on two sides of the axle.
 Fault find_frame_fault(const Anchor& anchor, const LoopSurroundings& around) {
-  const bool is_of_hub = anchor.frame == Anchor::Frame::hub;
+  const bool is_of_mount = anchor.frame == Anchor::Frame::mount;
+  if (around.is_of_further_rotor)
+    return {"anchor",
+            "is \"" + anchor.name + "\", an anchor of the first rotor; expected \"hub\" or a body"};
   const std::string found = "is \"" + anchor.name + "\", an anchor of the frame \"" +
                             std::string(name_of(anchor.frame)) + '"';
-  if (around.base == LoopBase::supported && !is_of_hub)
-    return {"anchor", found + ", but the hub is on a support; expected one of the frame \"hub\""};
+  if (around.base == LoopBase::supported && is_of_mount)
+    return {"anchor", found +
+                          ", but the hub is on a support; expected one of the frame \"hub\" or "
+                          "\"axle\""};
   if (!around.is_support()) return {};
-  if (is_of_hub)
+  if (!is_of_mount)
     return {"anchor", found +
                           ", but the loop is of the support; expected one of the frame "
                           "\"mount\""};
@@ -282,7 +287,9 @@ LoopSurroundings surroundings_of(const Blade& blade, const Hub& hub,
 }
 
 LoopSurroundings surroundings_of(const spatial::Blade& blade, const spatial::Model& model) {
-  return {false, base_on_hub(model), &model.anchors, {{"", blade.beam.length}}};
+  LoopSurroundings around{false, base_on_hub(model), &model.anchors, {{"", blade.beam.length}}};
+  around.is_of_further_rotor = blade.rotor > 0;
+  return around;
 }
 
 LoopSurroundings surroundings_of(const spatial::Subsystem& subsystem, const spatial::Model& model) {
@@ -291,6 +298,7 @@ LoopSurroundings surroundings_of(const spatial::Subsystem& subsystem, const spat
     base =
         model.support->from == spatial::SupportBase::ground ? LoopBase::ground : LoopBase::fuselage;
   LoopSurroundings around{false, base, &model.anchors};
+  around.is_of_further_rotor = subsystem.rotor > 0;
   for (const spatial::Body& body : subsystem.bodies) {
     const auto* beam = std::get_if<spatial::Beam>(&body.shape);
     around.bodies.push_back({body.name, beam ? std::optional(beam->length) : std::nullopt, 1,

@@ -38,6 +38,7 @@ struct LoopSurroundings {
   LoopBase base = LoopBase::axle;
   const std::vector<Anchor>* anchors = nullptr;
   std::vector<LoopBody> bodies{};
+  bool is_of_further_rotor = false;  ///< the hub of another rotor than the first carries it
 
   bool is_blade() const { return bodies.size() == 1 && bodies.front().name.empty(); }
   bool is_support() const { return base == LoopBase::ground || base == LoopBase::fuselage; }
@@ -65,6 +66,9 @@ Fault find_fault(const std::vector<Loop>& loops, const LoopSurroundings& around)
 /// the frame `mount`, empty if there may be some.
 Fault find_fault(const Anchor& anchor, const std::vector<Anchor>& before,
                  const std::string& mount_fault, bool in_plane);
+/// Finds an anchor of the frame `axle` where there is no support, or no drive that prescribes the
+/// hub's angle.
+Fault find_axle_frame_fault(const spatial::Model& model);
 /// Returns what is wrong with anchors of the frame `mount`; empty if nothing is.
 std::string find_mount_fault(HubSupport support);
 std::string find_mount_fault(const spatial::Model& model);

@@ -110,6 +110,13 @@ struct System {
   }
 };
 
+/// Whether an anchor beside the axle of a rotor on a support carries a place.
+template <class World>
+bool stands_beside_axle(const System<World>& system, const LoopPlaceModel& place) {
+  return place.carrier == LoopPlace::Carrier::anchor &&
+         system.anchors[static_cast<std::size_t>(place.anchor)].frame == Anchor::Frame::axle;
+}
+
 /// Returns the rotors whose hubs are bodies of subsystem `i`, ascending.
 template <class World>
 std::vector<int> find_rotors_on(const System<World>& system, int i) {

@@ -412,7 +412,8 @@ def anchor(*, name, frame=None, turns_with_hub=None, motion=None):
     """A frame whose motion is prescribed, for loops to close on.
 
     name: unlike that of any other anchor
-    frame: in which it moves: "mount", in which the hub turns, or "hub"
+    frame: in which it moves: "mount", in which the hub turns, or "hub"; on a support "axle", the
+        hub's frame at angle 0, which moves with the body that carries the axle
     turns_with_hub: whether it turns with the hub besides, by the hub's angle about its own axis,
         which its motion tilts and moves: the rotating part of a swashplate
     motion: a table, see below

@@ -229,6 +229,7 @@ void follow_rotors(const System<Space>& system, StepData<Space>& data) {
       if (system.subsystems[i].rotor != static_cast<int>(r)) continue;
       data.subsystems[i].rotor = static_cast<int>(r);
       data.subsystems[i].hub = &made.hub;
+      data.subsystems[i].axle = &made.turn;
       data.subsystems[i].hub_acceleration = &hub.X;
       data.subsystems[i].parts.hub_state = data.parts.rotors[r].hub;
       data.subsystems[i].parts.hub_acceleration = hub_parts.accelerations;

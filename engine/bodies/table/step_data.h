@@ -151,7 +151,8 @@ struct alignas(kInterferenceSize) SubsystemData {
   /// StepData::flight_acceleration if the hub flies and its tension depends on it; else null.
   const PositionOf<World>* flight_acceleration = nullptr;
 
-  int rotor = -1;  ///< rotor on a support whose hub carries it; -1: none
+  int rotor = -1;                     ///< rotor on a support whose hub carries it; -1: none
+  const DriveMotion* axle = nullptr;  ///< turn of that rotor's hub about its axle; null: none
   /// RotorData::acceleration of a rotor whose hub moves as prescribed; else null.
   const TwistOf<World>* moved_acceleration = nullptr;
   // Progress and hub that the subsystem's nodes follow: the system's if it is coupled, else its

@@ -122,7 +122,7 @@ void place_carriers(const std::vector<Anchor>& anchors, const Placement& mount, 
     group = mount;
     if (carrier.anchor < 0) continue;
     const Anchor& anchor = anchors[static_cast<std::size_t>(carrier.anchor)];
-    group = (anchor.frame == Anchor::Frame::hub ? Placement{} : mount) * calc_first_place(anchor);
+    group = (anchor.frame == Anchor::Frame::mount ? mount : Placement{}) * calc_first_place(anchor);
   }
 }
 

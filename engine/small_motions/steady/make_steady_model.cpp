@@ -167,10 +167,22 @@ void require_one_rotor(const spatial::Model& model) {
                    "rotor; several are simulated");
 }
 
+/// Refuses anchors beside the axle: of the rotor alone, which a steady model eliminates first,
+/// their forces would be the hub's.
+void require_hub_anchors(const spatial::Model& model) {
+  for (std::size_t i = 0; i < model.anchors.size(); ++i)
+    if (model.anchors[i].frame == Anchor::Frame::axle)
+      throw InputError(
+          "anchor." + std::to_string(i + 1) +
+          ".frame: is \"axle\", expected \"hub\": a steady state takes the rotor apart "
+          "from its support, and this anchor is on both; runs have it");
+}
+
 /// Pitch by the azimuth has a mean whether a drive or torque turns the hub.
 std::unique_ptr<SteadyModel> make_spatial(const Scenario& scenario, const SteadyOptions& options) {
   const spatial::Model& model = *scenario.space;
   require_one_rotor(model);
+  require_hub_anchors(model);
   if (model.support) return make_supported(scenario, options);
   const std::vector<spatial::Tree> trees = build_trees(model);
   System<Space> system = make_system(model, trees, {{}, available_memory()});
@@ -196,6 +208,7 @@ std::unique_ptr<SteadyModel> make_rotor_model(const Scenario& scenario,
                                               const SteadyOptions& options) {
   assert(scenario.space);
   require_one_rotor(*scenario.space);
+  require_hub_anchors(*scenario.space);
   if (has_changing_wind(scenario))
     return make_rotor_model(in_mean_wind(scenario, options.instant, WindPlaces::hub), options);
   if (!scenario.space->support) return make_spatial(scenario, options);

@@ -108,14 +108,18 @@ inline constexpr std::array kAnchorRows{
     by_hand("name", kText, "unlike that of any other anchor")
         .required()
         .within("letters, digits, `_`, `-`, `.`; up to 64"),
-    choice<&Anchor::frame, Anchor::Frame::mount, Anchor::Frame::hub>(
-        "frame", "in which it moves: `\"mount\"`, in which the hub turns, or `\"hub\"`")
-        .within("`\"hub\"` where the hub is free"),
+    choice<&Anchor::frame, Anchor::Frame::mount, Anchor::Frame::hub, Anchor::Frame::axle>(
+        "frame",
+        "in which it moves: `\"mount\"`, in which the hub turns, or `\"hub\"`; on a "
+        "[support](#support-what-carries-the-axle) `\"axle\"`, the hub's frame at angle 0, which "
+        "moves with the body that carries the axle")
+        .within(
+            "`\"hub\"` where the hub is free; `\"axle\"` with a drive that prescribes the angle"),
     flag<&Anchor::turns_with_hub>(
         "turns_with_hub",
         "whether it turns with the hub besides, by the hub's angle about its own axis, which its "
         "motion tilts and moves: the rotating part of a swashplate")
-        .within("only with `frame = \"mount\"`"),
+        .within("not with `frame = \"hub\"`"),
     by_hand("motion", kTable, "a table, see below").from("at rest at the frame's origin")};
 
 inline constexpr std::array kAnchorMotionRows{

@@ -37,10 +37,11 @@ std::vector<BladeJoint> read_joints(const TomlSection& blade) {
   return joints;
 }
 
-Blade read_blade(const TomlSection& own, const TomlSection& common, double azimuth,
+Blade read_blade(const TomlSection& own, const TomlSection& common, double azimuth, int rotor,
                  const Model& model) {
   const Layers from(own, common);
   Blade blade;
+  blade.rotor = rotor;
   Beam& beam = blade.beam;
   for (const keys::Row& row : keys::kBeamRows) keys::read_row(from.of(row.key), row, &beam);
   beam.sections = read_sections(from.of("sections"), beam.length);
@@ -74,16 +75,15 @@ std::vector<Blade> read_blades(const TomlSection& root, int rotor, const Model& 
   };
   if (one_by_one.empty()) {
     const auto count = static_cast<std::size_t>(common.integer("count", {1, kMostOfAKind}));
-    blades.assign(count, read_blade(common, common, first, model));
+    blades.assign(count, read_blade(common, common, first, rotor, model));
     for (std::size_t i = 0; i < count; ++i) blades[i].azimuth = azimuth(i, count);
-    for (Blade& blade : blades) blade.rotor = rotor;
     return blades;
   }
   if (common.has("count"))
     common.fail("count", "given along with [[blades]], expected only one of them");
   for (const TomlSection& own : one_by_one)
-    blades.push_back(read_blade(own, common, azimuth(blades.size(), one_by_one.size()), model));
-  for (Blade& blade : blades) blade.rotor = rotor;
+    blades.push_back(
+        read_blade(own, common, azimuth(blades.size(), one_by_one.size()), rotor, model));
   return blades;
 }
 

@@ -109,6 +109,7 @@ void check_model(const Model& model) {
     anchors.push_back(anchor);
     return fault;
   });
+  require(find_axle_frame_fault(model));
   check_each("blades", model.blades, [&](const Blade& blade) {
     const Fault fault = find_fault(blade);
     return fault ? fault : find_fault(blade.loops, surroundings_of(blade, model));

@@ -214,6 +214,7 @@ Model read_model(const TomlSection& root, const std::string& folder) {
   read_support_base(root, hub, model);
   read_other_rotors(rotors, model);
   model.anchors = read_anchors(root, find_mount_fault(model), false);
+  if (const Fault fault = find_axle_frame_fault(model)) root.fail_at(fault.path, fault.text);
   if (rotors.empty()) model.blades = read_blades(root, 0, model);
   for (std::size_t r = 0; r < rotors.size(); ++r)
     for (Blade& blade : read_blades(rotors[r], static_cast<int>(r), model))

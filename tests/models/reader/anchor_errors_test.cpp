@@ -33,10 +33,13 @@ TEST_CASE("anchors that cannot be are refused") {
            "f.toml:8:8: anchor.1.name: is \"a b\", expected letters, digits, \"_\", \"-\" and "
            "\".\", 1 to 64 of them"},
           {name, name + "frame = \"inertial\"\n",
-           "f.toml:9:9: anchor.1.frame: is \"inertial\", expected \"mount\" or \"hub\""},
+           "f.toml:9:9: anchor.1.frame: is \"inertial\", expected \"mount\", \"hub\" or \"axle\""},
+          {name, name + "frame = \"axle\"\n",
+           "f.toml:9:9: anchor.1.frame: is \"axle\", which belongs to a hub on a support; expected "
+           "\"mount\" or \"hub\""},
           {name, name + "frame = \"hub\"\nturns_with_hub = true\n",
            "f.toml:10:18: anchor.1.turns_with_hub: is true in the frame \"hub\", which turns with "
-           "the hub itself; expected it only with frame = \"mount\""},
+           "the hub itself; expected it only with frame = \"mount\" or \"axle\""},
           {name, name + "turns_with_hub = 1\n",
            "f.toml:9:18: anchor.1.turns_with_hub: is 1, expected true or false"},
           {name, name + "turn_with_hub = true\n",

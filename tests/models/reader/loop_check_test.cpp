@@ -106,7 +106,7 @@ TEST_CASE("closed loops of blades and anchors that are filled in code are checke
            "anchor.2.name: is \"swashplate\" as another anchor's, expected a name of its own"},
           {[](Scenario& s) { s.space->anchors[0].frame = Anchor::Frame::hub; },
            "anchor.1.turns_with_hub: is true in the frame \"hub\", which turns with the hub "
-           "itself; expected it only with frame = \"mount\""},
+           "itself; expected it only with frame = \"mount\" or \"axle\""},
           {[](Scenario& s) {
              ProgramAnchorMotion motion;
              motion.rotation.y() = 1e99;

@@ -147,6 +147,12 @@ TEST_CASE("rotors that cannot be are refused") {
            "f.toml:43:9: subsystem.1.rotor: is \"tale\", did you mean \"tail\"?"},
           {"rotor = \"tail\"\nforce", "rotor = \"third\"\nforce",
            "f.toml:54:9: hub_load.1.rotor: is \"third\", expected \"main\" or \"tail\""},
+          {"[[hub_load]]",
+           "[[subsystem.loop]]\nname = \"link\"\nkind = \"distance\"\nfrom = { body = \"one\" }\n"
+           "to = { anchor = \"plate\" }\n[[anchor]]\nname = \"plate\"\nframe = "
+           "\"hub\"\n[[hub_load]]",
+           "f.toml:57:17: subsystem.1.loop.1.to.anchor: is \"plate\", an anchor of the first "
+           "rotor; expected \"hub\" or a body"},
           {"name = \"root\"", "name = \"tail.axle\"",
            "f.toml:12:8: support.joint.1.name: is \"tail.axle\", which is the axle of a rotor; "
            "expected another name"},

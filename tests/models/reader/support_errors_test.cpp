@@ -351,6 +351,17 @@ TEST_CASE("bushings that cannot be are refused") {
       });
 }
 
+TEST_CASE("an anchor beside the axle needs a drive that prescribes the hub's angle") {
+  const std::string anchor = "[[anchor]]\nname = \"plate\"\nframe = \"axle\"\n[integration]";
+  std::string text = kSupportText;
+  text.replace(text.find("[integration]"), 13, anchor);
+  check_edits(text,
+              {{"kind = \"constant\"\nspeed = 4.0", "kind = \"free\"",
+                "f.toml:49:9: anchor.1.frame: is \"axle\", but no drive prescribes the hub's "
+                "angle, so that its forces would turn the hub; expected a drive that does, or "
+                "\"hub\""}});
+}
+
 TEST_CASE("loops across the axle of a support are refused") {
   check_edits(kSupportText,
               {
@@ -364,7 +375,8 @@ TEST_CASE("loops across the axle of a support are refused") {
                    "\"link\"\nkind = \"distance\"\nfrom = { station = 8.0 }\nto = { anchor = "
                    "\"plate\" }\n[integration]",
                    "f.toml:55:17: blade.loop.1.to.anchor: is \"plate\", an anchor of the frame "
-                   "\"mount\", but the hub is on a support; expected one of the frame \"hub\""},
+                   "\"mount\", but the hub is on a support; expected one of the frame \"hub\" or "
+                   "\"axle\""},
                   {"[integration]",
                    "[[subsystem]]\nname = \"arm\"\n[[subsystem.body]]\nname = \"a\"\nkind = "
                    "\"rigid\"\nmass = 1\ninertia = 1\n[[subsystem.joint]]\nparent = \"hub\"\nchild "

@@ -86,6 +86,30 @@ CarriedPlace calc_on_mount(const MountFrame& mount, const AnchorModel* anchor,
   return place;
 }
 
+/// Calculates a place on an anchor beside the axle, which turns as the drive prescribes: then it is
+/// one on the hub that turns back.
+CarriedPlace calc_beside_axle(const Twist& hub, const DriveMotion& axle, const AnchorModel& anchor,
+                              const LoopPlaceModel& model, double t) {
+  const Angular n = Angular::UnitZ();
+  const Rotation back = exponential(Angular(-axle.angle * n));
+  CarriedPlace place;
+  FrameCourse course = calc_anchor_course(anchor, t);
+  if (anchor.turns_with_hub) {
+    const Position plate = course.R * Position(Position::UnitZ());
+    place.pivot = back * plate;
+    place.pivot_place = back * course.p;
+    course = turn_with_hub(course, back.inverse(), axle.speed);
+    course.alpha += axle.acceleration * plate;
+  }
+  Carrier standing{back, Position::Zero(), hub, Twist::Zero()};
+  angular(standing.twist) -= axle.speed * n;
+  angular(standing.acceleration) =
+      -axle.acceleration * n - axle.speed * cross(Angular(angular(hub)), n);
+  place.is_on_hub = true;
+  carry(standing, move_on(course, model.offset), place);
+  return place;
+}
+
 }  // namespace
 }  // namespace space
 
@@ -128,7 +152,8 @@ MountFrame calc_mount_frame(const System<Space>& system, const HubState<Space>& 
 
 template <class World>
 CarriedPlace calc_carried_place(const System<World>& system, const HubState<World>& hub,
-                                const LoopPlaceModel& place, double t) noexcept {
+                                const DriveMotion* axle, const LoopPlaceModel& place,
+                                double t) noexcept {
   assert(place.carrier != LoopPlace::Carrier::body);
   const AnchorModel* anchor = nullptr;
   if (place.carrier == LoopPlace::Carrier::anchor)
@@ -136,6 +161,10 @@ CarriedPlace calc_carried_place(const System<World>& system, const HubState<Worl
   const bool is_on_mount = place.carrier == LoopPlace::Carrier::mount ||
                            (anchor && anchor->frame == Anchor::Frame::mount);
   if (is_on_mount) return space::calc_on_mount(calc_mount_frame(system, hub, t), anchor, place, t);
+  if (anchor && anchor->frame == Anchor::Frame::axle) {
+    assert(axle);
+    return space::calc_beside_axle(hub_in_space(hub).twist, *axle, *anchor, place, t);
+  }
   CarriedPlace carried;
   carried.is_on_hub = true;
   const space::FrameCourse course =
@@ -146,8 +175,10 @@ CarriedPlace calc_carried_place(const System<World>& system, const HubState<Worl
 }
 
 template CarriedPlace calc_carried_place(const System<Plane>&, const HubState<Plane>&,
-                                         const LoopPlaceModel&, double) noexcept;
+                                         const DriveMotion*, const LoopPlaceModel&,
+                                         double) noexcept;
 template CarriedPlace calc_carried_place(const System<Space>&, const HubState<Space>&,
-                                         const LoopPlaceModel&, double) noexcept;
+                                         const DriveMotion*, const LoopPlaceModel&,
+                                         double) noexcept;
 
 }  // namespace spoke

@@ -33,8 +33,8 @@ struct CarriedPlace {
   PlaceMotion motion;
   space::Twist acceleration = space::Twist::Zero();  ///< [m/s^2, rad/s^2]
   bool is_on_hub = false;                            ///< the hub carries it; else the mount
-  /// Of an anchor on the mount that turns with the hub: unit vector of the axis about which it
-  /// does, in H; else zero.
+  /// Of an anchor of the mount or the axle that turns with the hub: unit vector of the axis about
+  /// which it does, in H; else zero.
   space::Angular pivot = space::Angular::Zero();
   space::Position pivot_place = space::Position::Zero();  ///< a point of that axis, in H [m]
   double mount_spin_up = 0.0;  ///< angular acceleration of the mount about the axle [rad/s^2]
@@ -48,9 +48,11 @@ inline const HubState<Space>& hub_in_space(const HubState<Space>& hub) { return 
 MountFrame calc_mount_frame(const System<Plane>& system, const HubState<Plane>& hub, double t);
 MountFrame calc_mount_frame(const System<Space>& system, const HubState<Space>& hub, double t);
 
-/// Calculates a place on the hub, the mount or an anchor at time t [s].
+/// Calculates a place on the hub, the mount or an anchor at time t [s]. `axle`: of a hub on a
+/// support, its turn about the axle, which the drive prescribes where an anchor stands beside it.
 template <class World>
 CarriedPlace calc_carried_place(const System<World>& system, const HubState<World>& hub,
-                                const LoopPlaceModel& place, double t) noexcept;
+                                const DriveMotion* axle, const LoopPlaceModel& place,
+                                double t) noexcept;
 
 }  // namespace spoke

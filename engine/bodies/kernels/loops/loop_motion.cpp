@@ -28,7 +28,7 @@ Place find_place(const System<World>& system, const LoopPlaceModel& model, doubl
                  const SubsystemData<World>& data) {
   Place place;
   if (model.carrier != LoopPlace::Carrier::body) {
-    place.carried = calc_carried_place(system, *data.hub, model, t);
+    place.carried = calc_carried_place(system, *data.hub, data.axle, model, t);
     place.motion = place.carried.motion;
     return place;
   }

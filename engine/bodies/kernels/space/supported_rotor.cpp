@@ -5,6 +5,9 @@
 #include <cassert>
 
 #include "engine/bodies/kernels/kinematics.h"
+#include "engine/bodies/kernels/loops/anchor_motion.h"
+#include "engine/bodies/kernels/loops/loop_motion.h"
+#include "engine/bodies/kernels/loops/loop_readings.h"
 #include "engine/bodies/kernels/marker_motion.h"
 #include "engine/bodies/kernels/samples.h"
 #include "engine/bodies/kernels/space/relative_motion.h"
@@ -104,6 +107,34 @@ const HubState<Space>& shown_hub(const StepData<Space>& data) noexcept {
   return data.rotors.empty() ? data.hub : data.rotors.front().hub;
 }
 
+namespace {
+
+/// Returns what anchors beside the axle of a rotor take up at time t [s], about the origin of its
+/// hub. They stand on what carries the axle, not on the hub, on which the loops' rows have them;
+/// but for the moment about the axis of one that turns with the hub, which the hub drives.
+space::Twist sum_beside_axle(const System<Space>& system, std::size_t r, double t,
+                             const StepData<Space>& data) {
+  space::Twist sum = space::Twist::Zero();
+  for (std::size_t i = 0; i < system.subsystems.size(); ++i) {
+    if (system.subsystems[i].rotor != static_cast<int>(r)) continue;
+    const SubsystemData<Space>& own = data.subsystems[i];
+    for (std::size_t k = 0; k < system.subsystems[i].loops.size(); ++k) {
+      const LoopModel& loop = system.subsystems[i].loops[k];
+      if (!stands_beside_axle(system, loop.to)) continue;
+      const space::Position p = calc_place_motion(system, i, loop.from, t, data).p;
+      const space::Twist force =
+          calc_loop_reaction(system, i, k, t, data, own.loops.multipliers).in_hub;
+      const CarriedPlace plate = calc_carried_place(system, *own.hub, own.axle, loop.to, t);
+      sum -= translate(p, force);
+      const space::Twist about = translate(space::Position(p - plate.pivot_place), force);
+      sum[Space::kAxial] += plate.pivot.dot(angular(about));
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
 void record_rotors(const System<Space>& system, double t, std::int64_t step,
                    StepData<Space>& data) noexcept {
   for (std::size_t r = 0; r < system.rotors.size(); ++r) {
@@ -118,7 +149,7 @@ void record_rotors(const System<Space>& system, double t, std::int64_t step,
     made.velocity = space::make_twist(rotor.hub.R * space::Position(linear(rotor.hub.twist)),
                                       space::Angular(w.x(), w.y(), rotor.turn.speed));
     made.rotation = {rotor.hub.R, w.z() - rotor.turn.speed};
-    made.reaction = support.wrenches[j].inboard;
+    made.reaction = support.wrenches[j].inboard + sum_beside_axle(system, r, t, data);
     made.applied_torque = 0.0;
     const Drive& drive = drive_of(system, static_cast<int>(r));
     if (prescribes_motion(drive)) continue;
