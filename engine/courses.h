@@ -78,7 +78,7 @@ SPOKE_EXPORT void set_load_factor(Simulation& simulation, std::string_view load,
 /// program is. Its work is part of energy.work. Numbers count from 0, as of
 /// Simulation::joint_index(). Like other changes between steps it is the caller's to keep. Throws
 /// InputError if the model is in the plane, if there is no such coordinate, or if its motion is
-/// prescribed or the drive's, or if the torque is not finite; else like Simulation::set_drive().
+/// prescribed, or if the torque is not finite; else like Simulation::set_drive().
 /// The simulation then stays as it is.
 SPOKE_EXPORT void set_joint_torque(Simulation& simulation, int tree, int joint, int coordinate,
                                    double torque);

@@ -126,9 +126,6 @@ double& SpatialJoints::added_torque(const JointPlace& place) {
   space::JointCourse& course = context_.system.subsystems[static_cast<std::size_t>(place.subsystem)]
                                    .bodies[static_cast<std::size_t>(place.joint)]
                                    .joint.course;
-  if (course.drive)
-    throw InputError(name_of(place, tree(place.subsystem)) +
-                     " is turned by the hub's drive, expected another one; set_drive() turns it");
   return course.added[count_free_before(place)];
 }
 

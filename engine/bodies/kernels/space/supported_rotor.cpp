@@ -154,7 +154,8 @@ void record_rotors(const System<Space>& system, double t, std::int64_t step,
     const Drive& drive = drive_of(system, static_cast<int>(r));
     if (prescribes_motion(drive)) continue;
     made.reaction[Space::kAxial] = 0.0;
-    made.applied_torque = calc_torque(drive, t, rotor.turn.speed);
+    made.applied_torque =
+        calc_torque(drive, t, rotor.turn.speed) + support.bodies[j].model->joint.course.added[0];
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "engine/courses.h"
 #include "engine/simulation.h"
 #include "engine/step/step_graph_builder.h"
 #include "graph/executor.h"
@@ -218,6 +219,26 @@ TEST_CASE("rotors on one axis turn the body between them by the sum of their tor
     CHECK(hub_of_rotor(context, 0).joint.a_found[0] == doctest::Approx(kTorque / kFirst - turn));
     CHECK(hub_of_rotor(context, 1).joint.a_found[0] == doctest::Approx(kOther / kSecond - turn));
   }
+}
+
+TEST_CASE("the program turns any axle that its drive leaves free") {
+  constexpr double kBody = 0.8, kUpper = 0.07, kTorque = 0.3, kSeconds = 0.05;
+  const std::string hub =
+      "mass = 1.0, drive = { kind = \"free\", initial_speed = 20.0 }, inertia = ";
+  const std::string text = "[support]\nfrom = \"free\"\nmass = 5.0\ninertia = [0.9, 1.0, 0.8]\n" +
+                           make_rotor_text("lower", hub + "0.05", "offset = [0.0, 0.0, 0.2]") +
+                           make_rotor_text("upper", hub + "0.07", "offset = [0.0, 0.0, 0.5]");
+  Simulation simulation(make_scenario(make_text("", text), 1e-3, kSeconds),
+                        {Formulation::structured, ExecutorKind::serial, 1});
+  const int axle = simulation.joint_index(0, "upper.axle");
+  set_joint_torque(simulation, 0, axle, 0, kTorque);
+  simulation.run_until(kSeconds);
+  const double turn = kTorque * kSeconds;
+  CHECK(simulation.sensor("upper.hub.speed") ==
+        doctest::Approx(20.0 + turn / kUpper + turn / kBody).epsilon(1e-10));
+  CHECK(simulation.sensor("hub.speed") == doctest::Approx(20.0 + turn / kBody).epsilon(1e-10));
+  CHECK(simulation.sensor("upper.hub.torque") == doctest::Approx(kTorque));
+  CHECK(simulation.sensor("fuselage.spin.z") == doctest::Approx(-turn / kBody).epsilon(1e-10));
 }
 
 // Thirteen rigid bodies. The accelerations are those of Lagrange's equations in minimal
