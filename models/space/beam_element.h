@@ -31,10 +31,8 @@ struct ElementStiffening {
   std::array<Matrix4, kWeights> bending{};
   /// int weight (EIy + EIz)/EA dx / l^2, the factor of (tx_2 - tx_1)^2: the trapeze effect.
   std::array<double, kWeights> torsion{};
-  /// int P_ab N^T N dx for ab = 22, 23, 33 over the rotations of the nodes, which are linear in
-  /// between: each by its entries 11, 12, 22 [kg m^2].
-  static constexpr int kMoments = 3;
-  std::array<std::array<double, 3>, kMoments> turning{};
+  /// int P dx of the second moments of sections along the element's axes 2 and 3, in B [kg m^2].
+  Matrix3 turning = Matrix3::Zero();
 };
 
 /// A linear map of an element's coordinates (u, th of both nodes) to a vector.

@@ -102,15 +102,10 @@ void add_tension(const BeamElement& element, const Slice& slice, double xi,
   }
 }
 
-void add_turning(const PlacedMass& dm, ElementStiffening& stiffening) {
-  const Matrix3& P = dm.moments.second;
-  const std::array moments{P(1, 1), P(1, 2), P(2, 2)};
-  for (std::size_t k = 0; k < moments.size(); ++k) {
-    std::array<double, 3>& entries = stiffening.turning[k];
-    entries[0] += moments[k] * (1.0 - dm.xi) * (1.0 - dm.xi);
-    entries[1] += moments[k] * (1.0 - dm.xi) * dm.xi;
-    entries[2] += moments[k] * dm.xi * dm.xi;
-  }
+void add_turning(const PlacedMass& dm, BeamElement& element) {
+  const auto across = element.axes.rightCols<2>();
+  element.stiffening.turning +=
+      across * dm.moments.second.bottomRightCorner<2, 2>() * across.transpose();
 }
 
 void add_point_mass(const PlacedMass& dm, BeamElement& element) {
@@ -157,7 +152,7 @@ BeamElement make_element(const Beam& beam, const BodyGeometry& geometry,
       flexibility.add(slice, outer, beam.damping);
       const PlacedMass dm = place(element, inner, slice);
       add_mass(dm, element.length, element.mass);
-      add_turning(dm, element.stiffening);
+      add_turning(dm, element);
       add_tension(element, slice, dm.xi, distribution.beyond(slice.station), element.stiffening);
     });
   for (const PointMass& point : beam.masses)

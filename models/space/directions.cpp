@@ -159,10 +159,8 @@ void put_element(const BeamElement& element, std::size_t n, ElementLanes& lanes)
     to.outer[n] = T(3, 3);
     to.torsion[n] = element.stiffening.torsion[k];
   }
-  for (std::size_t i = 0; i < 3; ++i) {
-    lanes.turning[0][i][n] = element.stiffening.turning[0][i];
-    lanes.turning[1][i][n] = element.stiffening.turning[2][i];
-  }
+  lanes.turning[0][n] = 0.25 * element.stiffening.turning(1, 1);
+  lanes.turning[1][n] = 0.25 * element.stiffening.turning(2, 2);
 }
 
 std::size_t count_groups(int members) {

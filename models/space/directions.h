@@ -60,8 +60,9 @@ struct ElementLanes {
     Lanes torsion{};
   };
   std::array<Tension, ElementStiffening::kWeights> tension;
-  /// Matrices of turned sections, 22 and 33, by their entries 11, 12, 22.
-  std::array<std::array<Lanes, 3>, 2> turning{};
+  /// Second moments of turned sections, 22 and 33: a quarter, for sums of the rotations of both
+  /// nodes in place of means.
+  std::array<Lanes, 2> turning{};
 };
 
 struct Directions {

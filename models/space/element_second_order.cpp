@@ -140,10 +140,7 @@ void add_inertia(const PlacedMass& dm, const BeamElement& element, ElementSecond
 /// Adds the share of a slice.
 void add_turning(const PlacedMass& dm, const BeamElement& element, ElementSecondOrder& second) {
   const Matrix3 in_B = find_central_moment(dm, element);
-  const Matrix3 P = 0.5 * (in_B + in_B.transpose());
-  second.turning[0] += (1.0 - dm.xi) * (1.0 - dm.xi) * P;
-  second.turning[1] += (1.0 - dm.xi) * dm.xi * P;
-  second.turning[2] += dm.xi * dm.xi * P;
+  second.turning += 0.5 * (in_B + in_B.transpose());
 }
 
 ElementSecondOrder make_element(const Beam& beam, const BodyGeometry& geometry,

@@ -25,9 +25,9 @@ struct ElementSecondOrder {
   Forms place;     ///< of c [m, m/rad, m/rad^2], less what a twist draws out by Wagner's effect
   Forms rotation;  ///< of a [rad/m^2, 1/m, 1/rad]
 
-  /// int P N^T N dx over the rotations of the nodes, which are linear in between, by its entries
-  /// 11, 12, 22: P in B, about the centres of mass [kg m^2]. What they take off the body's inertia.
-  std::array<Matrix3, 3> turning{Matrix3::Zero(), Matrix3::Zero(), Matrix3::Zero()};
+  /// int P dx of the sections' second moments about their centres of mass, in B [kg m^2]: what
+  /// turns with the mean rotation of the nodes, and is taken off the body's inertia.
+  Matrix3 turning = Matrix3::Zero();
   /// Small masses, whose sections turn as a whole; about their centres.
   std::vector<PointInertia> inertias;
 };

@@ -39,89 +39,6 @@ void add_tension(const ElementStiffening& matrices, int k, double factor, const 
   sums.rate += sum_products(product, v) + Double2{trapeze * (v.torsion[1] - v.torsion[0]), 0.0};
 }
 
-Turn<Double2> turn_of(const PlaneCoordinates& q) {
-  return {Double2{q.torsion[0], q.torsion[1]}, Double2{-q.slope[0][1], -q.slope[1][1]},
-          Double2{q.slope[0][0], q.slope[1][0]}};
-}
-
-/// Returns the products of a matrix over both nodes, by its entries 11, 12, 22.
-Turn<Double2> multiply_turn(const std::array<double, 3>& K, const Turn<Double2>& th) {
-  const Double2 inner{K[0], K[1]}, outer{K[1], K[2]};
-  const auto product = [&](const Double2& x) { return x[0] * inner + x[1] * outer; };
-  return {product(th.x), product(th.y), product(th.z)};
-}
-
-/// Forms of rotations and of their rates.
-struct TurnSums {
-  TurnForms<Double2> value, rate;
-};
-
-/// Adds what the turned sections of an element take off. For sections that are symmetric about both
-/// axes, P_23 is zero.
-void add_turned_sections(const ElementStiffening& matrices, bool is_symmetric, const SpinWeights& W,
-                         const PlaneCoordinates& q, const PlaneCoordinates& v, PlaneCoordinates& f,
-                         TurnSums& sums) {
-  const auto dot = [](const Double2& a, const Double2& b) { return a * b; };
-  const Turn<Double2> th = turn_of(q), rate = turn_of(v);
-  Turn<Double2> force{};
-  const Turn<Double2> K22 = multiply_turn(matrices.turning[0], th);
-  add_forces_22(W, K22, force);
-  add_forms_22(K22, th, dot, sums.value.of_22);
-  add_forms_22(K22, rate, dot, sums.rate.of_22);
-  const Turn<Double2> K33 = multiply_turn(matrices.turning[2], th);
-  add_forces_33(W, K33, force);
-  add_forms_33(K33, th, dot, sums.value.of_33);
-  add_forms_33(K33, rate, dot, sums.rate.of_33);
-  if (!is_symmetric) {
-    const Turn<Double2> K23 = multiply_turn(matrices.turning[1], th);
-    add_forces_23(W, K23, force);
-    add_forms_23(K23, th, dot, sums.value.of_23);
-    add_forms_23(K23, rate, dot, sums.rate.of_23);
-  }
-  for (int node = 0; node < 2; ++node) {
-    f.torsion[node] += force.x[node];
-    f.slope[node] += Double2{force.z[node], -force.y[node]};
-  }
-}
-
-/// Moves Lambda of turned sections to the sums; those of an element begin anew.
-void take_turned(const Matrix3& axes, TurnSums& turned, StiffeningSums& sums) {
-  const auto in_B = [&axes](const TurnForms<Double2>& forms) {
-    const Matrix3 half = axes.lazyProduct(forms.inertia([](const Double2& s) { return total(s); }));
-    return Matrix3(half.lazyProduct(axes.transpose()));
-  };
-  sums.value.inertias += in_B(turned.value);
-  sums.rate.inertias += in_B(turned.rate);
-  turned = {};
-}
-
-using Coordinates = Eigen::Matrix<double, 2 * kTwist, 1>;
-
-/// Adds the form of a small mass.
-[[gnu::always_inline]] inline void add_inertia_form(const PointInertia& point, const double* q,
-                                                    StiffeningSums& sums) {
-  const Position th = point.rotation.lazyProduct(Eigen::Map<const Coordinates>(q));
-  sums.value.inertias += turning_inertia(point.second, th, th);
-}
-
-/// Adds small masses, to second order in the rotation th of their section: T gets
-/// - 1/2 th^T [tr(P W0) 1 - 1/2 (W0 P + P W0)] th.
-[[gnu::always_inline]] inline void add_inertias(const BeamElement& element, const Position& w,
-                                                const double* q, const double* v, double* force,
-                                                StiffeningSums& sums) {
-  for (const PointInertia& point : element.inertias) {
-    const Matrix3& P = point.second;
-    const Position th = point.rotation.lazyProduct(Eigen::Map<const Coordinates>(q));
-    const Position rate = point.rotation.lazyProduct(Eigen::Map<const Coordinates>(v));
-    const Matrix3 W0 = w.squaredNorm() * Matrix3::Identity() - w * w.transpose();
-    const Matrix3 W0_P = W0.lazyProduct(P);
-    const Position moment = W0_P.trace() * th - 0.5 * (W0_P + W0_P.transpose()).lazyProduct(th);
-    Eigen::Map<Coordinates>(force, 2 * kTwist) -= point.rotation.transpose().lazyProduct(moment);
-    sums.value.inertias += turning_inertia(P, th, th);
-    sums.rate.inertias += turning_inertia(P, th, rate);
-  }
-}
-
 /// Moves the sums of K1 to the forms, weighted by the masses that the elements carry; the sums
 /// begin anew.
 void take_carried(const CarriedMass& carried, TensionSums& K1, StiffeningSums& sums) {
@@ -143,7 +60,7 @@ StiffeningSums add_all(const BodyModel& model, const BodyMotion& motion, const d
   TensionWeights weights = calc_tension_weights(*model.tension, motion);
   StiffeningSums sums;
   TensionSums tension[ElementStiffening::kWeights];
-  TurnSums turned;
+  TurnedInertia turned;
   const CarriedMass* carried = model.tension->carried.data();
   weights.tension[0] = carried_tension(*carried, weights);
   for (int e = 0; e < body.elements; ++e) {
@@ -159,38 +76,28 @@ StiffeningSums add_all(const BodyModel& model, const BodyMotion& motion, const d
     for (int k = 0; k < ElementStiffening::kWeights; ++k)
       add_tension<kWanted>(element.stiffening, k, weights.tension[static_cast<std::size_t>(k)], x,
                            rate, f, tension[k]);
-    const Angular w =
-        kIsStraight ? weights.w : Angular(element.axes.transpose().lazyProduct(weights.w));
-    add_turned_sections(element.stiffening, body.is_decoupled, SpinWeights(w), x, rate, f, turned);
-    if constexpr (!kIsStraight) take_turned(element.axes, turned, sums);
+    const TurnedMasses masses{element.stiffening.turning, element.inertias};
     if constexpr (kHasForces) {
       subtract_forces<kIsStraight>(element, f, force);
-      add_inertias(element, weights.w, q, v, force, sums);
+      subtract_turned(masses, weights.w, q, v, force, turned);
       v += kTwist;
       force += kTwist;
     } else {
-      for (const PointInertia& point : element.inertias) add_inertia_form(point, q, sums);
+      add_turned(masses, q, turned.value);
     }
     q += kTwist;
   }
-  if constexpr (kIsStraight) take_turned(Matrix3::Identity(), turned, sums);
   take_carried(*carried, tension[0], sums);
   sums.value.tension.KL = total(tension[1].value);
   sums.rate.tension.KL = total(tension[1].rate);
   sums.value.tension.Kx = total(tension[2].value);
   sums.rate.tension.Kx = total(tension[2].rate);
+  sums.value.inertias = turned.value;
+  sums.rate.inertias = turned.rate;
   return sums;
 }
 
 }  // namespace
-
-Matrix3 turning_inertia(const Matrix3& P, const Position& a, const Position& b) noexcept {
-  const Position P_a = P.lazyProduct(a), P_b = P.lazyProduct(b);
-  const Matrix3 half = a * P_b.transpose() + b * P_a.transpose();
-  Matrix3 inertia = 0.25 * (half + half.transpose()) - a.dot(b) * P;
-  inertia.diagonal().array() += a.dot(b) * P.trace() - a.dot(P_b);
-  return inertia;
-}
 
 StiffeningSums add_stiffening(const BodyModel& model, const BodyMotion& motion, const double* q,
                               const double* v, double* force) noexcept {

@@ -33,10 +33,6 @@ struct StiffeningSums {
   StiffeningForms rate;
 };
 
-/// Returns Lambda of a second moment P [kg m^2] that turns by a [rad], or its bilinear form in a
-/// and b: T = -1/2 w^T Lambda w to second order.
-Matrix3 turning_inertia(const Matrix3& P, const Position& a, const Position& b) noexcept;
-
 /// Adds the stiffening's forces -K q to those by node, and sums its forms. `q`, `v`: by node.
 StiffeningSums add_stiffening(const BodyModel& model, const BodyMotion& motion, const double* q,
                               const double* v, double* force) noexcept;

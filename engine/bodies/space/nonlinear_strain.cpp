@@ -7,13 +7,10 @@
 #include <cassert>
 #include <vector>
 
-#include "engine/bodies/space/body_stiffening.h"
 #include "engine/bodies/space/varying_tension.h"
 
 namespace spoke::space {
 namespace {
-
-using ConstNodes = Eigen::Map<const Eigen::Matrix<double, kBothNodes, 1>>;
 
 PlaneCoordinates planes_of(const FlexibleBody& body, int e, const double* x) {
   return in_axes_of(body.beam[static_cast<std::size_t>(e)], body.is_straight, x + kTwist * e);
@@ -187,67 +184,9 @@ double subtract_forces(const FlexibleBody& body, double stiffness_factor,
   return power;
 }
 
-/// M th of a second moment P that turns by th while the body turns with w: T gets - 1/2 th^T M th,
-/// M = tr(P W0) 1 - 1/2 (W0 P + P W0).
-class Turning {
- public:
-  explicit Turning(const Angular& w) : W0_(w.squaredNorm() * Matrix3::Identity()) {
-    W0_ -= w * w.transpose();
-  }
-  Position moment(const Matrix3& P, const Position& th) const {
-    const Matrix3 W0_P = W0_.lazyProduct(P);
-    return W0_P.trace() * th - 0.5 * (W0_P + W0_P.transpose()).lazyProduct(th);
-  }
-
- private:
-  Matrix3 W0_;
-};
-
-/// Adds what an element's sections take off, whose rotations are linear between the nodes.
-void add_sections(const ElementSecondOrder& second, const Turning& turning, const double* q,
-                  const double* v, double* force, TurnedInertia& sum) {
-  using Rotations = Eigen::Map<const Position>;
-  const Rotations inner(q + kRotation), outer(q + kTwist + kRotation);
-  const Rotations inner_rate(v + kRotation), outer_rate(v + kTwist + kRotation);
-  const auto& [P11, P12, P22] = second.turning;
-  sum.value += turning_inertia(P11, inner, inner) + turning_inertia(P22, outer, outer) +
-               2.0 * turning_inertia(P12, inner, outer);
-  sum.rate +=
-      2.0 * (turning_inertia(P11, inner, inner_rate) + turning_inertia(P22, outer, outer_rate) +
-             turning_inertia(P12, inner, outer_rate) + turning_inertia(P12, inner_rate, outer));
-  if (!force) return;
-  Eigen::Map<Position>(force + kRotation) -=
-      turning.moment(P11, inner) + turning.moment(P12, outer);
-  Eigen::Map<Position>(force + kTwist + kRotation) -=
-      turning.moment(P12, inner) + turning.moment(P22, outer);
-}
-
-/// Adds small masses.
-void add_inertias(const ElementSecondOrder& second, const Turning& turning, const double* q,
-                  const double* v, double* force, TurnedInertia& sum) {
-  for (const PointInertia& point : second.inertias) {
-    const Position th = point.rotation.lazyProduct(ConstNodes(q));
-    const Position rate = point.rotation.lazyProduct(ConstNodes(v));
-    sum.value += turning_inertia(point.second, th, th);
-    sum.rate += 2.0 * turning_inertia(point.second, th, rate);
-    if (force)
-      Eigen::Map<Eigen::Matrix<double, kBothNodes, 1>>(force) -=
-          point.rotation.transpose().lazyProduct(turning.moment(point.second, th));
-  }
-}
-
-TurnedInertia sum_turning(const FlexibleBody& body, const Angular& w, const double* q,
-                          const double* v, double* force) {
-  const Turning turning(w);
-  TurnedInertia sum;
-  for (int e = 0; e < body.elements; ++e) {
-    const ElementSecondOrder& second = body.second_order[static_cast<std::size_t>(e)];
-    const int node = kTwist * e;
-    double* const on = force ? force + node : nullptr;
-    add_sections(second, turning, q + node, v + node, on, sum);
-    add_inertias(second, turning, q + node, v + node, on, sum);
-  }
-  return sum;
+TurnedMasses turned_masses(const FlexibleBody& body, int e) {
+  const ElementSecondOrder& second = body.second_order[static_cast<std::size_t>(e)];
+  return {second.turning, second.inertias};
 }
 
 /// Adds a matrix over the nodes from `first` on to one over the flex vector.
@@ -400,11 +339,18 @@ void set_shift(const FlexibleBody& body, const double* q, ImplicitShift& shift) 
 
 TurnedInertia subtract_turning(const FlexibleBody& body, const Angular& w,
                                const NodalMotion& motion, double* force) noexcept {
-  return sum_turning(body, w, motion.q, motion.v, force);
+  TurnedInertia sum;
+  for (int e = 0; e < body.elements; ++e) {
+    const int node = kTwist * e;
+    subtract_turned(turned_masses(body, e), w, motion.q + node, motion.v + node, force + node, sum);
+  }
+  return sum;
 }
 
 Matrix3 calc_turned_inertia(const FlexibleBody& body, const double* q) noexcept {
-  return sum_turning(body, Angular::Zero(), q, q, nullptr).value;
+  Matrix3 sum = Matrix3::Zero();
+  for (int e = 0; e < body.elements; ++e) add_turned(turned_masses(body, e), q + kTwist * e, sum);
+  return sum;
 }
 
 StrainMatrices calc_strain_matrices(const FlexibleBody& body, double stiffness_factor,

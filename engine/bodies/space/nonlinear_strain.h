@@ -11,6 +11,7 @@
 
 #include "engine/bodies/space/body_data.h"
 #include "engine/bodies/space/element_strain.h"
+#include "engine/bodies/space/turned_sections.h"
 
 namespace spoke::space {
 
@@ -50,12 +51,8 @@ void add_tangents(const FlexibleBody& body, const BlockFactors& factors, double 
 /// Sets the shift at coordinates by node.
 void set_shift(const FlexibleBody& body, const double* q, ImplicitShift& shift) noexcept;
 
-/// What turned sections take off the inertia of a body: T = ... - 1/2 w^T value w.
-struct TurnedInertia {
-  Matrix3 value = Matrix3::Zero();  ///< in B [kg m^2]
-  Matrix3 rate = Matrix3::Zero();   ///< [kg m^2/s]
-};
-/// Calculates it at an angular velocity w of B, and subtracts its forces.
+/// Returns what turned sections take off the inertia of a body at an angular velocity w of B, and
+/// subtracts its forces.
 TurnedInertia subtract_turning(const FlexibleBody& body, const Angular& w,
                                const NodalMotion& motion, double* force) noexcept;
 /// Returns it, of value alone.

@@ -1,107 +1,92 @@
 #pragma once
 
-// What sections that turn take off a body's inertia. A vector of a section becomes, to second order
-// in the section's rotation th, e_a + th x e_a + 1/2 th x (th x e_a); slots have it without the
-// last term, which makes T less by
+// What sections and small masses that turn take off a body's inertia. A vector of a section
+// becomes, to second order in the section's rotation th, e_a + th x e_a + 1/2 th x (th x e_a);
+// slots have it without the last term, which makes T less by
 //   1/2 w^T Lambda w = 1/2 th^T M th,     M = tr(P W0) 1 - 1/2 (W0 P + P W0)
-// with W0 = |w|^2 1 - w w^T and the second moment P of the section: P_22, P_23 and P_33 along the
-// element's axes, each over the rotations of both nodes, which are linear in between. Of a twist it
-// is the propeller moment, of bending the part of rotary inertia that holds a shaft straight.
+// with W0 = |w|^2 1 - w w^T and the second moment P, in any axes of the body. The sections of an
+// element take the mean of the rotations of both its nodes. Of a twist it is the propeller moment,
+// of bending the part of rotary inertia that holds a shaft straight.
 
-#include <array>
+#include <vector>
 
-#include "models/space/space.h"
+#include "models/space/beam_element.h"
 
 namespace spoke::space {
 
-/// Rotations of both nodes about the element's axes, or forces on them. A Pair holds the values at
-/// the inner and the outer node, of one element or of several.
-template <class Pair>
-struct Turn {
-  Pair x, y, z;
+/// Lambda [kg m^2] in B of a rotation by node, and its bilinear form in that and its rate.
+struct TurnedInertia {
+  Matrix3 value = Matrix3::Zero();
+  Matrix3 rate = Matrix3::Zero();  ///< half of what Lambda changes by [kg m^2/s]
 };
 
-/// Entries of W0 that count.
-struct SpinWeights {
-  double w22, w33, w12, w13, w23;
-
-  explicit SpinWeights(const Angular& w)
-      : w22(w[0] * w[0] + w[2] * w[2]),
-        w33(w[0] * w[0] + w[1] * w[1]),
-        w12(-w[0] * w[1]),
-        w13(-w[0] * w[2]),
-        w23(-w[1] * w[2]) {}
+/// The second moments that an element turns: of its sections, and of small masses. All in B.
+struct TurnedMasses {
+  const Matrix3& sections;
+  const std::vector<PointInertia>& points;
 };
 
-/// Forms of the rotations that make up Lambda, by P_22, P_33 and P_23.
-template <class Sum>
-struct TurnForms {
-  std::array<Sum, 3> of_22{}, of_33{};
-  std::array<Sum, 4> of_23{};
+/// Returns M th.
+[[gnu::always_inline]] inline Position turned_moment(const Matrix3& P, const Angular& w,
+                                                     const Position& th) {
+  const double square = w.squaredNorm();
+  const auto W0 = [&](const Position& x) __attribute__((always_inline)) {
+    return Position(square * x - w.dot(x) * w);
+  };
+  const double trace = square * P.trace() - w.dot(P.lazyProduct(w));
+  return trace * th - 0.5 * (W0(P.lazyProduct(th)) + P.lazyProduct(W0(th)));
+}
 
-  /// Returns Lambda along the element's axes; `total`: of a Sum.
-  template <class Total>
-  Matrix3 inertia(Total&& total) const {
-    std::array<double, 3> a, b;
-    std::array<double, 4> c;
-    for (std::size_t i = 0; i < 3; ++i) a[i] = total(of_22[i]);
-    for (std::size_t i = 0; i < 3; ++i) b[i] = total(of_33[i]);
-    for (std::size_t i = 0; i < 4; ++i) c[i] = total(of_23[i]);
-    const double xy = 0.5 * (a[1] + c[1]), xz = 0.5 * (b[1] + c[2]);
-    const double yz = 0.5 * (a[2] + b[2]) - c[3];
-    Matrix3 inertia;
-    inertia << a[0] + b[0] - 2.0 * c[0], xy, xz, xy, b[0] - c[0], yz, xz, yz, a[0] - c[0];
-    return inertia;
+/// Returns Lambda of a second moment P [kg m^2] that turns by a [rad], or its bilinear form in a
+/// and b.
+[[gnu::always_inline]] inline Matrix3 turned_inertia(const Matrix3& P, const Position& a,
+                                                     const Position& b) {
+  const Position P_a = P.lazyProduct(a), P_b = P.lazyProduct(b);
+  const Matrix3 half = a * P_b.transpose() + b * P_a.transpose();
+  Matrix3 inertia = 0.25 * (half + half.transpose()) - a.dot(b) * P;
+  inertia.diagonal().array() += a.dot(b) * P.trace() - a.dot(P_b);
+  return inertia;
+}
+
+/// Returns the mean of the rotations of an element's nodes, of values by node.
+[[gnu::always_inline]] inline Position mean_rotation(const double* q) {
+  using Rotations = Eigen::Map<const Position>;
+  return 0.5 * (Rotations(q + kRotation) + Rotations(q + kTwist + kRotation));
+}
+
+/// Subtracts the forces M th of an element at an angular velocity w from `force`, and adds its
+/// forms to the sum. q, v, force: by node, from the inner one on.
+[[gnu::always_inline]] inline void subtract_turned(const TurnedMasses& masses, const Angular& w,
+                                                   const double* q, const double* v, double* force,
+                                                   TurnedInertia& sum) {
+  const auto add = [&](const Matrix3& P, const Position& th, const Position& rate)
+      __attribute__((always_inline)) {
+    sum.value += turned_inertia(P, th, th);
+    sum.rate += turned_inertia(P, th, rate);
+    return turned_moment(P, w, th);
+  };
+  const Position half = 0.5 * add(masses.sections, mean_rotation(q), mean_rotation(v));
+  Eigen::Map<Position>(force + kRotation) -= half;
+  Eigen::Map<Position>(force + kTwist + kRotation) -= half;
+  using Coordinates = Eigen::Matrix<double, 2 * kTwist, 1>;
+  using ConstCoordinates = Eigen::Map<const Coordinates>;
+  for (const PointInertia& point : masses.points) {
+    const Position moment = add(point.second, point.rotation.lazyProduct(ConstCoordinates(q)),
+                                point.rotation.lazyProduct(ConstCoordinates(v)));
+    Eigen::Map<Coordinates>(force, 2 * kTwist) -= point.rotation.transpose().lazyProduct(moment);
   }
-};
-
-// K: the products of P_ab with rotations th; f: forces M th; add_forms() adds products of K with th
-// or, at half of what they change by, with rates. `dot`: of two Pairs.
-
-template <class Pair>
-[[gnu::always_inline]] inline void add_forces_22(const SpinWeights& W, const Turn<Pair>& K,
-                                                 Turn<Pair>& f) {
-  f.x += W.w22 * K.x - 0.5 * W.w12 * K.y;
-  f.y -= 0.5 * W.w12 * K.x + 0.5 * W.w23 * K.z;
-  f.z += W.w22 * K.z - 0.5 * W.w23 * K.y;
-}
-template <class Pair>
-[[gnu::always_inline]] inline void add_forces_33(const SpinWeights& W, const Turn<Pair>& K,
-                                                 Turn<Pair>& f) {
-  f.x += W.w33 * K.x - 0.5 * W.w13 * K.z;
-  f.y += W.w33 * K.y - 0.5 * W.w23 * K.z;
-  f.z -= 0.5 * W.w13 * K.x + 0.5 * W.w23 * K.y;
-}
-template <class Pair>
-[[gnu::always_inline]] inline void add_forces_23(const SpinWeights& W, const Turn<Pair>& K,
-                                                 Turn<Pair>& f) {
-  const double across = 0.5 * (W.w22 + W.w33);
-  f.x += 2.0 * W.w23 * K.x - 0.5 * W.w13 * K.y - 0.5 * W.w12 * K.z;
-  f.y += W.w23 * K.y - 0.5 * W.w13 * K.x - across * K.z;
-  f.z += W.w23 * K.z - 0.5 * W.w12 * K.x - across * K.y;
 }
 
-template <class Pair, class Dot, class Sum>
-[[gnu::always_inline]] inline void add_forms_22(const Turn<Pair>& K, const Turn<Pair>& v,
-                                                const Dot& dot, std::array<Sum, 3>& sums) {
-  sums[0] += dot(K.x, v.x) + dot(K.z, v.z);
-  sums[1] += 0.5 * (dot(K.y, v.x) + dot(K.x, v.y));
-  sums[2] += 0.5 * (dot(K.y, v.z) + dot(K.z, v.y));
-}
-template <class Pair, class Dot, class Sum>
-[[gnu::always_inline]] inline void add_forms_33(const Turn<Pair>& K, const Turn<Pair>& v,
-                                                const Dot& dot, std::array<Sum, 3>& sums) {
-  sums[0] += dot(K.x, v.x) + dot(K.y, v.y);
-  sums[1] += 0.5 * (dot(K.x, v.z) + dot(K.z, v.x));
-  sums[2] += 0.5 * (dot(K.y, v.z) + dot(K.z, v.y));
-}
-template <class Pair, class Dot, class Sum>
-[[gnu::always_inline]] inline void add_forms_23(const Turn<Pair>& K, const Turn<Pair>& v,
-                                                const Dot& dot, std::array<Sum, 4>& sums) {
-  sums[0] += 0.5 * (dot(K.y, v.z) + dot(K.z, v.y));
-  sums[1] += 0.5 * (dot(K.x, v.z) + dot(K.z, v.x));
-  sums[2] += 0.5 * (dot(K.x, v.y) + dot(K.y, v.x));
-  sums[3] += dot(K.x, v.x) + 0.5 * (dot(K.y, v.y) + dot(K.z, v.z));
+/// Adds Lambda of an element alone, to the bits of subtract_turned().
+[[gnu::always_inline]] inline void add_turned(const TurnedMasses& masses, const double* q,
+                                              Matrix3& sum) {
+  const Position mean = mean_rotation(q);
+  sum += turned_inertia(masses.sections, mean, mean);
+  for (const PointInertia& point : masses.points) {
+    const Position th =
+        point.rotation.lazyProduct(Eigen::Map<const Eigen::Matrix<double, 2 * kTwist, 1>>(q));
+    sum += turned_inertia(point.second, th, th);
+  }
 }
 
 }  // namespace spoke::space

@@ -236,7 +236,7 @@ BodyTerms calc_coupled_terms(const BodyModel& model, const BodyState& state,
   if (body.is_nonlinear()) terms.Theta -= turned.value;
   terms.Q =
       calc_frame_force(motion.w, terms.S, terms.Theta.lazyProduct(motion.w), sums.S_rate, sums.G);
-  if (body.is_nonlinear()) angular(terms.Q) += turned.rate.lazyProduct(motion.w);
+  if (body.is_nonlinear()) angular(terms.Q) += 2.0 * turned.rate.lazyProduct(motion.w);
   return terms;
 }
 

@@ -4,7 +4,6 @@
 
 #include "engine/bodies/space/body_stiffening.h"
 #include "engine/bodies/space/tension_weights.h"
-#include "engine/bodies/space/turned_sections.h"
 #include "models/support/wide_kernels.h"
 
 namespace spoke::space {
@@ -118,67 +117,69 @@ struct Forms {
   return forms;
 }
 
-/// Values at both nodes of four elements, by their matrices.
-struct NodePair {
-  Double4 inner, outer;
+/// Rotations of four elements: the sums of those of both nodes.
+struct TurnSums {
+  Double4 x, y, z;
 
-  [[gnu::always_inline]] NodePair& operator+=(const NodePair& other) {
-    inner += other.inner;
-    outer += other.outer;
-    return *this;
+  [[gnu::always_inline]] explicit TurnSums(const ElementState& q)
+      : x(q.torsion[0] + q.torsion[1]),
+        y(-(q.plane[1].inner + q.plane[1].outer)),
+        z(q.plane[0].inner + q.plane[0].outer) {}
+};
+
+/// Entries of W0 that count where P_23 is zero, with the factors that M has of them.
+struct SpinWeights {
+  double w22, w33, half12, half13, half23;
+
+  explicit SpinWeights(const Angular& w)
+      : w22(w[0] * w[0] + w[2] * w[2]),
+        w33(w[0] * w[0] + w[1] * w[1]),
+        half12(-0.5 * w[0] * w[1]),
+        half13(-0.5 * w[0] * w[2]),
+        half23(-0.5 * w[1] * w[2]) {}
+};
+
+/// Lambda of turned sections with P_22 and P_33 alone.
+struct TurnForms {
+  Double4 of_22{}, of_33{}, xy{}, xz{}, yz{};
+
+  [[gnu::always_inline]] void add(const Double4& P22, const Double4& P33, const TurnSums& a,
+                                  const TurnSums& b) {
+    const Double4 xx = a.x * b.x;
+    of_22 += P22 * (xx + a.z * b.z);
+    of_33 += P33 * (xx + a.y * b.y);
+    xy += P22 * (a.x * b.y + a.y * b.x);
+    xz += P33 * (a.x * b.z + a.z * b.x);
+    yz += (P22 + P33) * (a.y * b.z + a.z * b.y);
   }
-  [[gnu::always_inline]] NodePair& operator-=(const NodePair& other) {
-    inner -= other.inner;
-    outer -= other.outer;
-    return *this;
+  Matrix3 inertia() const {
+    const double a = total(of_22), b = total(of_33);
+    const double across[] = {0.25 * total(xy), 0.25 * total(xz), 0.25 * total(yz)};
+    Matrix3 inertia;
+    inertia << a + b, across[0], across[1], across[0], b, across[2], across[1], across[2], a;
+    return inertia;
   }
 };
-[[gnu::always_inline]] inline NodePair operator*(double factor, const NodePair& pair) {
-  return {factor * pair.inner, factor * pair.outer};
-}
-[[gnu::always_inline]] inline NodePair operator+(NodePair a, const NodePair& b) { return a += b; }
-[[gnu::always_inline]] inline NodePair operator-(NodePair a, const NodePair& b) { return a -= b; }
 
-[[gnu::always_inline]] inline Turn<NodePair> turn_of(const ElementState& q) {
-  return {{q.torsion[0], q.torsion[1]},
-          {-q.plane[1].inner, -q.plane[1].outer},
-          {q.plane[0].inner, q.plane[0].outer}};
-}
-
-/// Returns the products of a matrix over both nodes, by its entries 11, 12, 22.
-[[gnu::always_inline]] inline Turn<NodePair> multiply_turn(const std::array<Lanes, 3>& K,
-                                                           const Turn<NodePair>& th) {
-  const auto product = [&K](const NodePair& x) __attribute__((always_inline)) {
-    return NodePair{lanes(K[0]) * x.inner + lanes(K[1]) * x.outer,
-                    lanes(K[1]) * x.inner + lanes(K[2]) * x.outer};
-  };
-  return {product(th.x), product(th.y), product(th.z)};
-}
-
-/// Adds what turned sections take off to f, and their forms to the sums.
+/// Adds what turned sections take off (turned_sections.h) to f, and their forms to the sums.
 [[gnu::always_inline]] inline void add_turned_sections(const ElementLanes& m, const SpinWeights& W,
                                                        const ElementState& q, const ElementState& v,
-                                                       ElementState& f, TurnForms<Double4>& value,
-                                                       TurnForms<Double4>& rate) {
-  const auto dot = [](const NodePair& a, const NodePair& b) __attribute__((always_inline)) {
-    return a.inner * b.inner + a.outer * b.outer;
-  };
-  const Turn<NodePair> th = turn_of(q), rates = turn_of(v);
-  Turn<NodePair> force{};
-  const Turn<NodePair> K22 = multiply_turn(m.turning[0], th);
-  add_forces_22(W, K22, force);
-  add_forms_22(K22, th, dot, value.of_22);
-  add_forms_22(K22, rates, dot, rate.of_22);
-  const Turn<NodePair> K33 = multiply_turn(m.turning[1], th);
-  add_forces_33(W, K33, force);
-  add_forms_33(K33, th, dot, value.of_33);
-  add_forms_33(K33, rates, dot, rate.of_33);
-  f.torsion[0] += force.x.inner;
-  f.torsion[1] += force.x.outer;
-  f.plane[0].inner += force.z.inner;
-  f.plane[0].outer += force.z.outer;
-  f.plane[1].inner -= force.y.inner;
-  f.plane[1].outer -= force.y.outer;
+                                                       ElementState& f, TurnForms& value,
+                                                       TurnForms& rate) {
+  const Double4 P22 = lanes(m.turning[0]), P33 = lanes(m.turning[1]);
+  const TurnSums th(q);
+  value.add(P22, P33, th, th);
+  rate.add(P22, P33, th, TurnSums(v));
+  const Double4 M12 = W.half12 * P22, M13 = W.half13 * P33, M23 = W.half23 * (P22 + P33);
+  const Double4 M22 = W.w33 * P33, M33 = W.w22 * P22, M11 = W.w22 * P22 + W.w33 * P33;
+  const Double4 x = M11 * th.x - M12 * th.y - M13 * th.z;
+  const Double4 y = M22 * th.y - M12 * th.x - M23 * th.z;
+  const Double4 z = M33 * th.z - M13 * th.x - M23 * th.y;
+  for (Double4& torsion : f.torsion) torsion += x;
+  f.plane[0].inner += z;
+  f.plane[0].outer += z;
+  f.plane[1].inner -= y;
+  f.plane[1].outer -= y;
 }
 
 /// Masses that four elements carry, and their tension.
@@ -206,21 +207,22 @@ struct CarriedLanes {
 /// Sums over all elements.
 struct StraightSums {
   Forms carried[3], carried_mass, KL, Kx;
-  TurnForms<Double4> turned, turned_rate;
+  TurnForms turned, turned_rate;
 
-  StiffeningForms take(Double4 Forms::*part, const TurnForms<Double4>& turn) const {
+  StiffeningForms take(Double4 Forms::*part, const TurnForms& turn) const {
     const auto sum = [part](const Forms& forms) { return total(forms.*part); };
     StiffeningForms forms;
     forms.tension.carried = {sum(carried[0]), sum(carried[1]), sum(carried[2])};
     forms.tension.carried_mass = sum(carried_mass);
     forms.tension.KL = sum(KL);
     forms.tension.Kx = sum(Kx);
-    forms.inertias = turn.inertia([](const Double4& s) { return total(s); });
+    forms.inertias = turn.inertia();
     return forms;
   }
 };
 
 [[gnu::always_inline]] inline void add_stiffening(const ElementLanes& m, const TensionWeights& at,
+                                                  const SpinWeights& spin,
                                                   const CarriedLanes& carried,
                                                   const ElementState& q, const ElementState& v,
                                                   ElementState& f, StraightSums& sums) {
@@ -230,7 +232,7 @@ struct StraightSums {
   const Double4 one{1.0, 1.0, 1.0, 1.0};
   sums.KL.add(one, add_tension(m.tension[1], at.tension[1] * one, q, v, f));
   sums.Kx.add(one, add_tension(m.tension[2], at.tension[2] * one, q, v, f));
-  add_turned_sections(m, SpinWeights(at.w), q, v, f, sums.turned, sums.turned_rate);
+  add_turned_sections(m, spin, q, v, f, sums.turned, sums.turned_rate);
 }
 
 void calc_forces(const BodyModel& model, const BodyMotion& motion, LaneRows::Kind elastic,
@@ -242,13 +244,14 @@ void calc_forces(const BodyModel& model, const BodyMotion& motion, LaneRows::Kin
   const TensionPlace* const place = model.tension;
   TensionWeights weights{};
   if (place) weights = calc_tension_weights(*place, motion);
+  const SpinWeights spin(weights.w);
   StraightSums sums;
   std::size_t piece = 0;
   int e = 0;
   for (const ElementLanes& m : body.directions->elements) {
     ElementForces forces(m, x, e);
     if (place)
-      add_stiffening(m, weights, CarriedLanes(place->carried, e, weights, piece),
+      add_stiffening(m, weights, spin, CarriedLanes(place->carried, e, weights, piece),
                      ElementState(q, e), ElementState(v, e), forces.bending, sums);
     forces.store_to(inner, outer, e);
     e += 4;

@@ -53,21 +53,11 @@ double tension_form(const ElementStiffening& matrices, const Position& weights,
 }
 
 /// Returns twice the energy that the rotation of sections takes, to second order: a vector a of a
-/// section becomes a + th x a + 1/2 th x (th x a), th linear between the nodes.
-double turning_form(const ElementStiffening& matrices, const Position& w, const ElementValues& x) {
-  const Matrix3 W = skew(w);
-  double sum = 0.0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto& K = matrices.turning[k];
-    const int a = k == 2 ? 2 : 1, b = k == 0 ? 1 : 2;
-    Matrix3 P = Matrix3::Zero();
-    P(a, b) = P(b, a) = 1.0;
-    const Matrix3 inner = skew(Position(x.segment<3>(3))), outer = skew(Position(x.segment<3>(9)));
-    const Matrix3 square =
-        K[0] * inner * inner + K[1] * (inner * outer + outer * inner) + K[2] * outer * outer;
-    sum -= (W * square * P * W.transpose()).trace();
-  }
-  return sum;
+/// section becomes a + th x a + 1/2 th x (th x a), th the mean of the nodes'.
+double turning_form(const BeamElement& element, const Position& w, const ElementValues& x) {
+  const Matrix3 W = skew(w), th = skew(Position(0.5 * (x.segment<3>(3) + x.segment<3>(9))));
+  const Matrix3 P = element.axes.transpose() * element.stiffening.turning * element.axes;
+  return -(W * th * th * P * W.transpose()).trace();
 }
 
 /// Returns twice the energy that the rotation of small masses takes, to second order; `q`: of both
@@ -203,7 +193,7 @@ double calc_kinetic(const TestBody& test, const Twist& twist, const Angular& hub
       sum -= tension_form(element.stiffening,
                           {W0.dot(carried_by(e, test).moment), W0.dot(test.tension.origin), W0.x()},
                           x) +
-             turning_form(element.stiffening, to_element * hub, x) + inertia_form(element, hub, x);
+             turning_form(element, to_element * hub, x) + inertia_form(element, hub, x);
   }
   return 0.5 * sum;
 }
