@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "program/cli/threads_option.h"
+#include "program/cli/word_list.h"
 
 namespace spoke::cli {
 namespace {
@@ -18,19 +19,6 @@ namespace {
 constexpr int kMostRounds = 10000;
 constexpr std::array kWaits{compare::Wait::runtime_default, compare::Wait::passive,
                             compare::Wait::active};
-
-/// Returns the words of a list "a,b,c"; one empty word for an empty list.
-std::vector<std::string> split(const std::string& list) {
-  std::vector<std::string> words{""};
-  for (const char c : list) {
-    if (c == ',') {
-      words.emplace_back();
-    } else {
-      words.back() += c;
-    }
-  }
-  return words;
-}
 
 /// A value and its name.
 template <class Value>
@@ -73,7 +61,7 @@ void add_list(CLI::App& command, const std::string& option, const std::string& t
               list = all;
               return;
             }
-            for (const std::string& word : split(words)) append_once(list, parse(word));
+            for (const std::string& word : split_words(words)) append_once(list, parse(word));
           },
           text)
       ->type_name("A,B,...");

@@ -3,12 +3,13 @@
 #include "program/cli/trace_arguments.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <set>
 
 #include "graph/executor.h"
 #include "program/cli/number_option.h"
+#include "program/cli/word_list.h"
 
 namespace spoke::cli {
 namespace {
@@ -30,15 +31,9 @@ int parse_count(const std::string& text) {
 
 /// Parses "1,2,4" into ascending order, each number once.
 std::vector<int> parse_counts(const std::string& list) {
-  std::vector<int> counts;
-  for (std::size_t begin = 0; begin <= list.size();) {
-    const std::size_t end = std::min(list.find(',', begin), list.size());
-    counts.push_back(parse_count(list.substr(begin, end - begin)));
-    begin = end + 1;
-  }
-  std::sort(counts.begin(), counts.end());
-  counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
-  return counts;
+  std::set<int> counts;
+  for (const std::string& word : split_words(list)) counts.insert(parse_count(word));
+  return {counts.begin(), counts.end()};
 }
 
 }  // namespace
