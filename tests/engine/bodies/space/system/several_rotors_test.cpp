@@ -222,18 +222,18 @@ TEST_CASE("rotors on one axis turn the body between them by the sum of their tor
 }
 
 TEST_CASE("the program turns any axle that its drive leaves free") {
-  constexpr double kBody = 0.8, kUpper = 0.07, kTorque = 0.3, kSeconds = 0.05;
+  constexpr double kBody = 0.8, kUpper = 0.07, kTorque = 0.3, kTurnSeconds = 0.05;
   const std::string hub =
       "mass = 1.0, drive = { kind = \"free\", initial_speed = 20.0 }, inertia = ";
   const std::string text = "[support]\nfrom = \"free\"\nmass = 5.0\ninertia = [0.9, 1.0, 0.8]\n" +
                            make_rotor_text("lower", hub + "0.05", "offset = [0.0, 0.0, 0.2]") +
                            make_rotor_text("upper", hub + "0.07", "offset = [0.0, 0.0, 0.5]");
-  Simulation simulation(make_scenario(make_text("", text), 1e-3, kSeconds),
+  Simulation simulation(make_scenario(make_text("", text), 1e-3, kTurnSeconds),
                         {Formulation::structured, ExecutorKind::serial, 1});
   const int axle = simulation.joint_index(0, "upper.axle");
   set_joint_torque(simulation, 0, axle, 0, kTorque);
-  simulation.run_until(kSeconds);
-  const double turn = kTorque * kSeconds;
+  simulation.run_until(kTurnSeconds);
+  const double turn = kTorque * kTurnSeconds;
   CHECK(simulation.sensor("upper.hub.speed") ==
         doctest::Approx(20.0 + turn / kUpper + turn / kBody).epsilon(1e-10));
   CHECK(simulation.sensor("hub.speed") == doctest::Approx(20.0 + turn / kBody).epsilon(1e-10));
