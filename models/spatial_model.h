@@ -157,6 +157,18 @@ struct Stop {
   double width = 0.0;      ///< distance over which it sets in [rad, m]
 };
 
+/// Friction of a joint's coordinate with the velocity v: a force against it of F(v) tanh(v/speed),
+/// with F(v) = force, or by Stribeck's law force + (static - force) exp(-(v/stribeck)^2).
+struct Friction {
+  double force = 0.0;  ///< of sliding [N m, N], > 0
+  double speed =
+      0.0;  ///< over which it sets in, much less than those of interest [rad/s, m/s], > 0
+  /// Force at the start of sliding [N m, N], at least `force`; none: `force`.
+  std::optional<double> static_force = std::nullopt;
+  /// Velocity over which it falls to `force` [rad/s, m/s]; given along with static_force.
+  std::optional<double> stribeck = std::nullopt;
+};
+
 /// The coordinate follows a curve over time [rad, m]; a curve of one point is a constant.
 struct MotionTable {
   Curve value;  ///< coordinate over time
@@ -189,7 +201,9 @@ struct JointCoordinate {
   double initial_speed = 0.0;  ///< its rate at t = 0 [rad/s, m/s]
   /// Torque or force on the coordinate over time [N m, N].
   Curve effort{};
-  std::optional<Stop> stop = std::nullopt;      ///< stop; none for a spherical joint
+  std::optional<Stop> stop = std::nullopt;  ///< stop; none for a spherical joint
+  /// Friction; none for a spherical joint and a bushing.
+  std::optional<Friction> friction = std::nullopt;
   std::optional<Motion> motion = std::nullopt;  ///< prescribed motion; none for a spherical joint
 };
 

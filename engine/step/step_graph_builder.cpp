@@ -3,7 +3,9 @@
 
 #include "engine/step/step_graph_builder.h"
 
+#include <algorithm>
 #include <cassert>
+#include <limits>
 #include <utility>
 
 #include "engine/bodies/kernels/modal_damping.h"
@@ -78,14 +80,31 @@ void calc_mass_terms(const SystemContext<Plane>& c, int i, int j,
   angular(body.terms.Q) += share.moment;
 }
 
+/// Returns the share of its secant that friction's slope is at least in a pass: 0 in the first two
+/// of a step, and where velocities change by little against those over which it sets in; then 1,
+/// from the twelfth on ever less, since secants lead there slowly.
+double choose_secant(const GeneralizedAlpha& alpha, const StepProgress& progress,
+                     const space::Joint& joint) {
+  constexpr double kNear = 0.1;
+  constexpr int kTangents = 2, kSecants = 12;
+  const int pass = progress.control.stage;
+  if (pass < kTangents) return 0.0;
+  double speed = std::numeric_limits<double>::infinity();
+  for (const space::JointPrimitive& primitive : joint.sequence())
+    if (primitive.friction.acts()) speed = std::min(speed, primitive.friction.speed);
+  if (progress.change * alpha.velocity_gain < kNear * speed * alpha.position_gain) return 0.0;
+  return pass < kSecants ? 1.0 : 1.0 / (1.0 + 0.5 * (pass - kSecants + 1));
+}
+
 void calc_mass_terms(const SystemContext<Space>& c, int i, int j,
                      SubsystemData<Space>& data) noexcept {
   const PassControl& control = data.progress->control;
   space::ImplicitShares shares;
   if (control.is_implicit) {
     const auto& alpha = std::get<GeneralizedAlpha>(c.integrator.method);
-    shares = {alpha.position_gain, alpha.velocity_gain};
     BodyData<Space>& body = data.bodies[j];
+    shares = {alpha.position_gain, alpha.velocity_gain,
+              choose_secant(alpha, *data.progress, body.model->joint.joint)};
     if (control.begins_iteration()) body.kind->follow_state(*data.hub, body);
   }
   calc_terms(c.system, c.system.subsystems[i], control.time, shares, j, data);

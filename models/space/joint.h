@@ -22,6 +22,19 @@ struct JointStop {
   double width = 0.0;                                       ///< [rad, m]
 };
 
+/// Friction of a coordinate with the velocity v: the force -F(v) tanh(v/speed), F(v) = force +
+/// (static_force - force) exp(-(v/stribeck)^2). About rest it is a damper.
+struct JointFriction {
+  double force = 0.0;         ///< of sliding [N m, N]; 0: there is none
+  double static_force = 0.0;  ///< at the start of sliding [N m, N], at least `force`
+  double speed = 1.0;         ///< over which it sets in [rad/s, m/s]
+  double stribeck = 1.0;      ///< over which it falls [rad/s, m/s]
+
+  bool acts() const { return force > 0.0; }
+  /// Returns the size of -(force)/v at v = 0 [N m s/rad, N s/m].
+  double damping_at_rest() const { return static_force / speed; }
+};
+
 /// One freedom of a joint: a rotation about an axis, a displacement along one, or any rotation.
 struct JointPrimitive {
   enum class Kind { revolute, prismatic, spherical };
@@ -37,7 +50,8 @@ struct JointPrimitive {
   double damping = 0.0;    ///< [N m s/rad, N s/m]
   /// Coordinate at which the spring is relaxed [rad, m]; unused if spherical.
   double rest = 0.0;
-  JointStop stop;  ///< stop of the coordinate; unused if spherical
+  JointStop stop;          ///< stop of the coordinate; unused if spherical
+  JointFriction friction;  ///< friction of the coordinate; unused if spherical
 
   /// Returns the number of components of its velocity.
   int components() const { return kind == Kind::spherical ? kAngular : 1; }

@@ -20,6 +20,11 @@ space::JointPrimitive make_primitive(space::JointPrimitive::Kind kind, const Vec
     const Stop& stop = *coordinate.stop;
     primitive.stop = {stop.lower, stop.upper, stop.stiffness, stop.damping, stop.width};
   }
+  if (coordinate.friction) {
+    const Friction& friction = *coordinate.friction;
+    primitive.friction = {friction.force, friction.static_force.value_or(friction.force),
+                          friction.speed, friction.stribeck.value_or(friction.speed)};
+  }
   return primitive;
 }
 

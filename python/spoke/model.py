@@ -306,9 +306,9 @@ def point_mass(*, position, mass, inertia=None, offset=None):
 
 
 def joint(*, kind, name=None, axis=None, axes=None, offset=None, orientation=None, stiffness=None,
-          damping=None, rest=None, stop=None, initial=None, initial_speed=None, hold=None,
-          torque=None, force=None, motion=None, station=None, parent=None, child=None, node=None,
-          interface=None):
+          damping=None, rest=None, stop=None, friction=None, initial=None, initial_speed=None,
+          hold=None, torque=None, force=None, motion=None, station=None, parent=None, child=None,
+          node=None, interface=None):
     """A joint of a blade, at a station, or of a subsystem, from parent to child.
 
     name: of the joint
@@ -321,6 +321,7 @@ def joint(*, kind, name=None, axis=None, axes=None, offset=None, orientation=Non
     damping: of a damper [N m s/rad, N s/m]
     rest: coordinate at which the spring is at rest [rad, m]
     stop: a table, below
+    friction: a table, below
     initial: coordinate at t = 0 [rad, m]
     initial_speed: its rate at t = 0 [rad/s, m/s]
     hold: whether both stay as they are given where loops are closed at the start
@@ -328,7 +329,7 @@ def joint(*, kind, name=None, axis=None, axes=None, offset=None, orientation=Non
         [N m]
     force: likewise, along a prismatic or cylindrical joint's axis [N]
     motion: a table, below: the coordinate is prescribed, and none of the keys from stiffness to
-        stop may be given for it
+        friction may be given for it
     station: where it is [m]; or: on a parent that is a beam [m]
     parent: name of a body, or "hub", which may have several children
     child: name of a body: a beam is joined at its root, a rigid body at the origin of its frame, a

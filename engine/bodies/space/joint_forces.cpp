@@ -1,4 +1,4 @@
-// Calculates forces and energies of the springs, dampers and stops in a joint.
+// Calculates forces and energies of the springs, dampers, stops and friction in a joint.
 
 #include "engine/bodies/space/joint_forces.h"
 
@@ -48,6 +48,23 @@ StopState calc_stop(const JointStop& stop, double q) {
   return {inward * (d - 0.5 * w), stop.stiffness * (0.5 * d * (d - w) + w * w / 6.0), 1.0};
 }
 
+/// Friction at a velocity: its force is -size.
+struct FrictionState {
+  double size = 0.0;
+  double tangent = 0.0;  ///< slope of the size, at least 0: one that falls would feed the iteration
+  double secant = 0.0;   ///< size/v
+};
+
+FrictionState calc_friction(const JointFriction& friction, double v) {
+  const double ratio = v / friction.stribeck;
+  const double extra = (friction.static_force - friction.force) * std::exp(-ratio * ratio);
+  const double F = friction.force + extra, t = std::tanh(v / friction.speed);
+  const double by_sign = F * (1.0 - t * t) / friction.speed;
+  const double by_size = -2.0 * ratio / friction.stribeck * extra * t;
+  const double secant = v == 0.0 ? friction.damping_at_rest() : F * t / v;
+  return {F * t, std::max(by_sign + by_size, 0.0), secant};
+}
+
 }  // namespace
 
 void calc_joint_forces(const Joint& joint, const JointState& state, const ImplicitShares& shares,
@@ -63,10 +80,16 @@ void calc_joint_forces(const Joint& joint, const JointState& state, const Implic
                                : calc_stop(primitive.stop, state.q[at]);
     const double stiffness = primitive.stiffness + stop.share * primitive.stop.stiffness;
     const double damping = primitive.damping + stop.share * primitive.stop.damping;
-    const double share = shares.stiffness * stiffness + shares.damping * damping;
+    double share = shares.stiffness * stiffness + shares.damping * damping;
+    FrictionState friction;
+    if (primitive.friction.acts()) {
+      friction = calc_friction(primitive.friction, state.v[at]);
+      share += shares.damping * std::max(friction.tangent, shares.secant * friction.secant);
+    }
     for (int c = 0; c < primitive.components(); ++c) {
       const auto k = static_cast<std::size_t>(at + c);
       forces.tau[k] = stop.force - primitive.stiffness * deflection[c] - damping * state.v[k];
+      if (primitive.friction.acts()) forces.tau[k] -= friction.size;
       if (motor) forces.tau[k] += motor[k];
       if (!is_implicit) continue;
       forces.tau[k] += share * a[k];
@@ -93,6 +116,8 @@ double calc_dissipation(const Joint& joint, const JointState& state) noexcept {
       damping += calc_stop(primitive.stop, state.q[at]).share * primitive.stop.damping;
     for (int c = 0; c < primitive.components(); ++c)
       sum += damping * state.v[at + c] * state.v[at + c];
+    if (primitive.friction.acts())
+      sum += calc_friction(primitive.friction, state.v[at]).size * state.v[at];
   });
   return sum;
 }

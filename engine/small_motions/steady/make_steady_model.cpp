@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/bodies/columns/spatial_columns.h"
+#include "engine/small_motions/steady/friction_at_rest.h"
 #include "engine/small_motions/steady/mean_wind.h"
 #include "engine/small_motions/steady/steady_mount.h"
 #include "engine/small_motions/steady/steady_system.h"
@@ -197,6 +198,7 @@ std::unique_ptr<SteadyModel> make_spatial(const Scenario& scenario, const Steady
 std::unique_ptr<SteadyModel> make_steady_model(const Scenario& scenario,
                                                const SteadyOptions& options) {
   if (!scenario.space) return make_planar(scenario, options);
+  if (has_friction(scenario)) return make_steady_model(with_friction_at_rest(scenario), options);
   if (has_changing_wind(scenario))
     return make_spatial(in_mean_wind(scenario, options.instant,
                                      options.is_whole ? WindPlaces::all : WindPlaces::hub),
@@ -209,6 +211,7 @@ std::unique_ptr<SteadyModel> make_rotor_model(const Scenario& scenario,
   assert(scenario.space);
   require_one_rotor(*scenario.space);
   require_hub_anchors(*scenario.space);
+  if (has_friction(scenario)) return make_rotor_model(with_friction_at_rest(scenario), options);
   if (has_changing_wind(scenario))
     return make_rotor_model(in_mean_wind(scenario, options.instant, WindPlaces::hub), options);
   if (!scenario.space->support) return make_spatial(scenario, options);

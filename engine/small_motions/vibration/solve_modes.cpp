@@ -8,6 +8,7 @@
 
 #include "engine/modes.h"
 #include "engine/small_motions/steady/describe_equilibrium.h"
+#include "engine/small_motions/steady/friction_at_rest.h"
 #include "engine/small_motions/steady/linear_model.h"
 #include "engine/small_motions/steady/linear_support.h"
 #include "engine/small_motions/steady/steady_speed.h"
@@ -299,6 +300,14 @@ void note_still_air(ModesResult& result) {
     result.notes.push_back("the air is at rest: the mean wind has no part along the axis");
 }
 
+/// Says what friction is.
+void note_friction(const Scenario& scenario, ModesResult& result) {
+  if (steady::has_friction(scenario))
+    result.notes.push_back(
+        "friction of joints is a damper here, by its slope at rest; no motion that goes on is "
+        "followed");
+}
+
 /// Finds modes in a frame, or in the usual one: `asked` none.
 ModesResult solve_in(ModeFrame frame, bool is_asked, const Scenario& scenario, double speed,
                      const ModeCount& count) {
@@ -326,7 +335,8 @@ ModesResult solve_in(ModeFrame frame, bool is_asked, const Scenario& scenario, d
     steady::stand_on(*linear.support, linear);
   }
   std::unique_ptr<SteadyModel> whole;
-  if (frame == ModeFrame::floquet && !linear.support)
+  // Along a motion friction is none of the dampers that it is about rest.
+  if (frame == ModeFrame::floquet && !linear.support && !steady::has_friction(scenario))
     whole = steady::make_steady_model(scenario, {.speed = speed, .is_whole = true});
   return vibration::make_modes(linear, equilibrium, frame, count, *model, whole.get());
 }
@@ -340,6 +350,7 @@ ModesResult vibration::solve_modes(const Scenario& scenario, const SteadyState& 
   ModesResult result =
       solve_in(choose_frame(scenario, asked), asked.has_value(), scenario, speed, count);
   note_still_air(result);
+  note_friction(scenario, result);
   steady::add_warnings(scenario, result.equilibrium);
   return result;
 }

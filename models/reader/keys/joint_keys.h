@@ -37,6 +37,7 @@ inline constexpr std::array kJointRows{
             "coordinate at which the spring is at rest")
         .from("0"),
     by_hand("stop", kTable | kTables, "a table, below").from("none").as("joint.stop"),
+    by_hand("friction", kTable | kTables, "a table, below").from("none").as("joint.friction"),
     by_hand("initial", kNumber | kNumbers, spatial::kJointPosition, "coordinate at t = 0")
         .from("0"),
     by_hand("initial_speed", kNumber | kNumbers, spatial::kJointSpeed, "its rate at t = 0")
@@ -55,7 +56,7 @@ inline constexpr std::array kJointRows{
         .as("joint.effort"),
     by_hand("motion", kTable | kTables,
             "a table, below: the coordinate is prescribed, and none of the keys from `stiffness` "
-            "to `stop` may be given for it")
+            "to `friction` may be given for it")
         .from("free")
         .as("joint.motion")};
 
@@ -77,6 +78,18 @@ inline constexpr std::array kStopRows{
         .from("0"),
     by_hand("width", kNumber, Quantity::positive("rad, m"), "distance over which it sets in")
         .from("required")};
+
+inline constexpr std::array kFrictionRows{
+    by_hand("force", kNumber, Quantity::positive("N m, N"), "of sliding").from("required"),
+    by_hand("speed", kNumber, Quantity::positive("rad/s, m/s"),
+            "over which it sets in: force · tanh(v/`speed`) at the speed v")
+        .from("required"),
+    by_hand("static", kNumber, Quantity::positive("N m, N"), "at the start of sliding")
+        .from("`force`")
+        .within("`force` or more"),
+    by_hand("stribeck", kNumber, Quantity::positive("rad/s, m/s"),
+            "speed over which the force falls from `static` to `force`")
+        .from("required with `static`")};
 
 inline constexpr std::array kMotionRows{
     by_hand("constant", kNumber, spatial::kJointPosition, "this value"),

@@ -33,6 +33,25 @@ Fault find_stop_fault(const Stop& stop, const CoordinateUnits& unit) {
   return first.found();
 }
 
+Fault find_friction_fault(const Friction& friction, const CoordinateUnits& unit) {
+  const FirstFault first;
+  first("force", friction.force, Quantity::positive(unit.effort));
+  first("speed", friction.speed, Quantity::positive(unit.speed));
+  if (friction.static_force && !(*friction.static_force >= friction.force))
+    first.add({"static", "is " + describe(*friction.static_force) + ", expected force or more, " +
+                             describe(friction.force)});
+  if (friction.static_force && !friction.stribeck)
+    first.add({"stribeck",
+               "is missing, expected the speed over which the force falls from static "
+               "to force"});
+  if (friction.stribeck && !friction.static_force)
+    first.add({"stribeck", "would be ignored, expected only with static"});
+  if (friction.static_force)
+    first("static", *friction.static_force, Quantity::positive(unit.effort));
+  if (friction.stribeck) first("stribeck", *friction.stribeck, Quantity::positive(unit.speed));
+  return first.found();
+}
+
 Fault find_motion_fault(const Motion& motion, const CoordinateUnits& unit) {
   const FirstFault first;
   if (const auto* table = std::get_if<MotionTable>(&motion))
@@ -63,6 +82,7 @@ Fault find_double(const JointCoordinate& coordinate, JointKind kind, int index) 
                  if (value != 0.0) refuse(key);
                });
   if (coordinate.stop) refuse("stop");
+  if (coordinate.friction) refuse("friction");
   if (!is_zero(coordinate.effort)) refuse(slides(kind, index) ? "force" : "torque");
   return first.found();
 }
@@ -78,6 +98,7 @@ Fault find_spherical_fault(const Joint& joint) {
     };
     if (c.motion) refuse("motion");
     if (c.stop) refuse("stop");
+    if (c.friction) refuse("friction");
     if (c.rest != 0.0) refuse("rest");
     if (c.stiffness != joint.coordinates[0].stiffness)
       first.add({"stiffness", "differs between the coordinates, expected one for all three"});
@@ -105,6 +126,7 @@ Fault find_bushing_fault(const JointCoordinate& coordinate, int index) {
     first.add({slides(JointKind::bushing, index) ? "force" : "torque",
                "does not belong to kind \"bushing\""});
   if (coordinate.stop) first.add({"stop", "does not belong to kind \"bushing\""});
+  if (coordinate.friction) first.add({"friction", "does not belong to kind \"bushing\""});
   const auto* motion = coordinate.motion ? std::get_if<MotionTable>(&*coordinate.motion) : nullptr;
   if (is_held && !(motion && is_zero(motion->value)))
     first.add({"motion" + number,
@@ -143,6 +165,8 @@ Fault find_coordinate_fault(const JointCoordinate& coordinate, JointKind kind, i
                              Quantity::any(unit.effort)));
   if (coordinate.motion) first.add(find_double(coordinate, kind, index));
   if (coordinate.stop) first.add(find_stop_fault(*coordinate.stop, unit).within("stop" + number));
+  if (coordinate.friction)
+    first.add(find_friction_fault(*coordinate.friction, unit).within("friction" + number));
   if (coordinate.motion)
     first.add(find_motion_fault(*coordinate.motion, unit).within("motion" + number));
   return first.found();

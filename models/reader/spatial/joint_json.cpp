@@ -34,6 +34,13 @@ Json to_json(const Stop& stop) {
   return json;
 }
 
+Json to_json(const Friction& friction) {
+  Json json{{"force", friction.force}, {"speed", friction.speed}};
+  if (friction.static_force) json.set("static", *friction.static_force);
+  if (friction.stribeck) json.set("stribeck", *friction.stribeck);
+  return json;
+}
+
 /// Adds the numbers of all coordinates.
 void add_numbers(const Joint& joint, Json& json) {
   const std::size_t count = count_of(joint);
@@ -109,6 +116,7 @@ void add_joint(const Joint& joint, Json& json) {
   if (count > ways) add_effort("torque", joint.coordinates.data(), count - ways, json);
   if (ways > 0) add_effort("force", joint.coordinates.data() + count - 1, 1, json);
   add_tables("stop", joint, &JointCoordinate::stop, json);
+  add_tables("friction", joint, &JointCoordinate::friction, json);
   add_tables("motion", joint, &JointCoordinate::motion, json);
 }
 

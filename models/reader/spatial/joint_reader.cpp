@@ -34,6 +34,7 @@ void check_kind_keys(const TomlSection& section, std::string_view kind) {
                                  {"hold", moving},
                                  {"rest", at_rest},
                                  {"stop", bounded},
+                                 {"friction", bounded},
                                  {"motion", bounded},
                                  {"torque", {"revolute", "universal", "spherical", "cylindrical"}},
                                  {"force", {"prismatic", "cylindrical"}}};
@@ -160,6 +161,29 @@ void read_stops(const TomlSection& section, Joint& joint) {
               });
 }
 
+Friction read_friction(const TomlSection& table, const CoordinateUnits& unit) {
+  Friction friction;
+  friction.force = table.number("force", Quantity::positive(unit.effort));
+  friction.speed = table.number("speed", Quantity::positive(unit.speed));
+  if (table.has("static"))
+    friction.static_force = table.number("static", Quantity::positive(unit.effort));
+  if (table.has("stribeck"))
+    friction.stribeck = table.number("stribeck", Quantity::positive(unit.speed));
+  return friction;
+}
+
+void read_frictions(const TomlSection& section, Joint& joint) {
+  const bool may_be_empty = count_coordinates(joint.kind) > 1;
+  read_tables(section, "friction", keys::keys_of(keys::kFrictionRows), joint,
+              [&](const TomlSection& table, std::size_t i) {
+                if (may_be_empty && !table.has("force") && !table.has("speed") &&
+                    !table.has("static") && !table.has("stribeck"))
+                  return;
+                joint.coordinates[i].friction =
+                    read_friction(table, units_of(joint.kind, static_cast<int>(i)));
+              });
+}
+
 void read_motions(const TomlSection& section, Joint& joint) {
   read_tables(section, "motion", keys::keys_of(keys::kMotionRows), joint,
               [&](const TomlSection& table, std::size_t i) {
@@ -191,6 +215,7 @@ Joint read_joint(const TomlSection& section) {
   if (has_way)
     read_effort(section, "force", Quantity::any("N"), joint.coordinates.data() + angles, 1);
   read_stops(section, joint);
+  read_frictions(section, joint);
   read_motions(section, joint);
   if (joint.kind == JointKind::bushing) hold_directions(joint);
   if (const Fault fault = find_fault(joint)) section.fail_at(fault.path, fault.text);

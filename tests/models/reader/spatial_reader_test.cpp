@@ -111,7 +111,10 @@ TEST_CASE("joints of several coordinates take a value for each") {
   const spatial::Joint joint = read_joint(
       "kind = 'cylindrical'\naxis = [2, 0, 0]\nstiffness = [1, 2]\nrest = [0.1, 0.2]\n"
       "torque = { time = [0, 1], value = [0, 5] }\nforce = 7\n"
-      "stop = [{}, { lower = -1, upper = 1, stiffness = 9, width = 0.1 }]");
+      "stop = [{}, { lower = -1, upper = 1, stiffness = 9, width = 0.1 }]\n"
+      "friction = [{}, { force = 3, speed = 0.01, static = 4, stribeck = 0.1 }]");
+  CHECK_FALSE(joint.coordinates[0].friction.has_value());
+  CHECK(joint.coordinates[1].friction.value().static_force == 4.0);
   CHECK(joint.coordinates[0].stiffness == 1.0);
   CHECK(joint.coordinates[1].rest == 0.2);
   CHECK(joint.coordinates[0].effort.value(1.0) == 5.0);

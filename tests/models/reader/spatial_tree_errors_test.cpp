@@ -70,6 +70,21 @@ TEST_CASE("joints of a blade that cannot be are refused") {
           {"damping = 10.0", "stop = { lower = 0.1, upper = 0.2, stiffness = 1e5 }",
            "f.toml:26:8: blade.joint.1.stop.width: is missing, expected a number greater than 0 "
            "(rad)"},
+          {"damping = 10.0", "friction = { force = 2 }",
+           "f.toml:26:12: blade.joint.1.friction.speed: is missing, expected a number greater than "
+           "0 (rad/s)"},
+          {"damping = 10.0", "friction = { force = 2, speed = 0.1, static = 1, stribeck = 1 }",
+           "f.toml:26:47: blade.joint.1.friction.static: is 1, expected force or more, 2"},
+          {"damping = 10.0", "friction = { force = 2, speed = 0.1, static = 3 }",
+           "f.toml:26:12: blade.joint.1.friction.stribeck: is missing, expected the speed over "
+           "which the force falls from static to force"},
+          {"damping = 10.0", "friction = { force = 2, speed = 0.1, stribeck = 3 }",
+           "f.toml:26:49: blade.joint.1.friction.stribeck: would be ignored, expected only with "
+           "static"},
+          {"motion = { mean = 0.1 }",
+           "motion = { mean = 0.1 }\nfriction = { force = 2, speed = 1 }",
+           "f.toml:33:12: blade.joint.2.friction: given along with motion, expected only one of "
+           "them: what is prescribed needs no spring, damper, stop, effort or start"},
           {"motion = { mean = 0.1 }", "motion = { mean = 0.1 }\nstiffness = 3.0",
            "f.toml:33:13: blade.joint.2.stiffness: given along with motion, expected only one of "
            "them: what is prescribed needs no spring, damper, stop, effort or start"},

@@ -131,3 +131,30 @@ TEST_CASE("a stop takes over smoothly, and is a spring beyond its width") {
   expect(2.0, -8.0 * 0.875, 1.0);
   expect(-1.5, 8.0 * 0.875, 1.0);
 }
+
+TEST_CASE("friction sets in smoothly, and falls by Stribeck's law") {
+  JointPrimitive slider;
+  slider.friction = {2.0, 3.0, 0.1, 0.5};
+  const Joint joint = make_joint({}, std::span(&slider, 1));
+  const auto force_at = [&](double v, bool by_secant) {
+    const double q = 0.0, a = 0.0;
+    JointForces forces;
+    calc_joint_forces(joint, {&q, &v, nullptr, nullptr}, {0.0, 1.0, by_secant ? 1.0 : 0.0}, &a,
+                      nullptr, forces);
+    return forces;
+  };
+  for (const double v : {-2.0, -0.3, -0.05, 1e-9, 0.02, 0.15, 0.6}) {
+    CAPTURE(v);
+    const double size = (2.0 + std::exp(-v * v / 0.25)) * std::tanh(v / 0.1);
+    const double h = 1e-5;
+    const double slope =
+        (force_at(v - h, false).tau[0] - force_at(v + h, false).tau[0]) / (2.0 * h);
+    CHECK(std::abs(force_at(v, false).tau[0] + size) < 1e-14);
+    CHECK(std::abs(force_at(v, false).share[0] - std::max(slope, 0.0)) < 1e-5);
+    CHECK(std::abs(force_at(v, true).share[0] - std::max(size / v, slope)) < 1e-5);
+    const double q = 0.0;
+    CHECK(std::abs(calc_dissipation(joint, {&q, &v, nullptr, nullptr}) - size * v) < 1e-14);
+  }
+  CHECK(force_at(0.3, false).share[0] == 0.0);  // falls
+  for (const bool by_secant : {false, true}) CHECK(force_at(0.0, by_secant).share[0] == 30.0);
+}
