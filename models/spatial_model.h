@@ -169,6 +169,13 @@ struct Friction {
   std::optional<double> stribeck = std::nullopt;
 };
 
+/// A spring and a damper in series (Maxwell) on a coordinate q: the force -z on it, with z' =
+/// stiffness q' - z/time, relaxed at the start.
+struct Relaxation {
+  double stiffness = 0.0;  ///< of the spring; at once it is this stiff [N m/rad, N/m]
+  double time = 0.0;       ///< damper's constant by the spring's [s]
+};
+
 /// The coordinate follows a curve over time [rad, m]; a curve of one point is a constant.
 struct MotionTable {
   Curve value;  ///< coordinate over time
@@ -205,6 +212,8 @@ struct JointCoordinate {
   /// Friction; none for a spherical joint and a bushing.
   std::optional<Friction> friction = std::nullopt;
   std::optional<Motion> motion = std::nullopt;  ///< prescribed motion; none for a spherical joint
+  /// Spring that relaxes; none for a spherical joint.
+  std::optional<Relaxation> relaxation = std::nullopt;
 };
 
 /// A joint, which joins a body, the child, to a place on another one, the parent, or on the hub.

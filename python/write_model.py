@@ -30,6 +30,7 @@ FUNCTIONS = {
     "point_mass": (["blade.point_mass", "beam.point_mass"], "A mass on a blade or a beam."),
     "joint": (["blade.joint", "subsystem.joint"],
               "A joint of a blade, at a station, or of a subsystem, from parent to child."),
+    "relaxation": (["joint.relaxation"], "A spring and a damper in series on a joint."),
     "stop": (["joint.stop"], "A stop of a joint."),
     "joint_motion": (["joint.motion"], "The prescribed motion of a joint."),
     "loop": (["loop"], "A closed loop: a cut joint between two places."),

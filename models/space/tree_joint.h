@@ -26,6 +26,13 @@ struct SaidMotion {
 /// The motion of a driven component.
 using DrivenMotion = std::variant<spatial::MotionTable, spatial::AzimuthMotion, SaidMotion>;
 
+/// A spring in series with a damper on a coordinate: spatial::Relaxation.
+struct RelaxingSpring {
+  int coordinate = 0;
+  double stiffness = 0.0;  ///< k [N m/rad, N/m]
+  double time = 0.0;       ///< T [s]
+};
+
 /// The course of a joint's driven components and of the forces on its coordinates.
 struct JointCourse {
   /// Drive of the axle of a rotor on a support, which turns the joint: its only component.
@@ -34,7 +41,8 @@ struct JointCourse {
   std::vector<Curve> efforts;        ///< motor by coordinate [N m, N]; none: no motors
   /// What the embedding program adds to them, by coordinate [N m, N].
   std::array<double, Joint::kMost> added{};
-  double azimuth = 0.0;  ///< added to the hub's angle for AzimuthMotion [rad]
+  std::vector<RelaxingSpring> relaxing;  ///< at most one on a coordinate
+  double azimuth = 0.0;                  ///< added to the hub's angle for AzimuthMotion [rad]
   /// Index in Subsystem::controls of the controller whose angle is added to the first driven
   /// component's motion; -1: none.
   int control = -1;

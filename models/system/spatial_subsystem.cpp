@@ -257,6 +257,9 @@ class SubsystemMaker {
         course.driven.push_back(spatial::make_driven_motion(*coordinate.motion));
         continue;
       }
+      if (coordinate.relaxation)
+        course.relaxing.push_back({static_cast<int>(course.efforts.size()),
+                                   coordinate.relaxation->stiffness, coordinate.relaxation->time});
       course.efforts.push_back(coordinate.effort);
       course.initial.push_back(coordinate.initial);
       course.initial_speed.push_back(coordinate.initial_speed);

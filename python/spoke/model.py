@@ -92,6 +92,7 @@ __all__ = [
     "place",
     "point_mass",
     "polar",
+    "relaxation",
     "rotor",
     "scenario",
     "sections",
@@ -306,9 +307,9 @@ def point_mass(*, position, mass, inertia=None, offset=None):
 
 
 def joint(*, kind, name=None, axis=None, axes=None, offset=None, orientation=None, stiffness=None,
-          damping=None, rest=None, stop=None, friction=None, initial=None, initial_speed=None,
-          hold=None, torque=None, force=None, motion=None, station=None, parent=None, child=None,
-          node=None, interface=None):
+          damping=None, rest=None, relaxation=None, stop=None, friction=None, initial=None,
+          initial_speed=None, hold=None, torque=None, force=None, motion=None, station=None,
+          parent=None, child=None, node=None, interface=None):
     """A joint of a blade, at a station, or of a subsystem, from parent to child.
 
     name: of the joint
@@ -320,6 +321,7 @@ def joint(*, kind, name=None, axis=None, axes=None, offset=None, orientation=Non
     stiffness: of a spring [N m/rad, N/m]
     damping: of a damper [N m s/rad, N s/m]
     rest: coordinate at which the spring is at rest [rad, m]
+    relaxation: a spring and a damper in series: a table, below
     stop: a table, below
     friction: a table, below
     initial: coordinate at t = 0 [rad, m]
@@ -337,6 +339,16 @@ def joint(*, kind, name=None, axis=None, axes=None, offset=None, orientation=Non
     node: in place of station: number of a node, from 0 at the root to bodies · elements at the tip,
         of equal elements
     interface: in place of station, on a parent that is a solid: name of one of its interfaces
+    """
+    return _given(locals())
+
+
+def relaxation(*, stiffness=None, time=None):
+    """A spring and a damper in series on a joint.
+
+    stiffness: of the spring [N m/rad, N/m]
+    time: in which the force of a spring that is held falls to 1/e: the damper's constant by
+        stiffness [s]
     """
     return _given(locals())
 

@@ -6,6 +6,7 @@
 
 #include "engine/bodies/act/air/air_on_blades.h"
 #include "engine/bodies/act/pitch_control/pitch_controllers.h"
+#include "engine/bodies/act/relaxing_springs/relaxing_springs.h"
 
 namespace spoke {
 namespace {
@@ -26,6 +27,7 @@ void place_actors(const System<Plane>&, StepData<Plane>&) {}
 void place_actors(const System<Space>& system, StepData<Space>& data) {
   place<AirOnBlades>(system, data);
   place<PitchControllers>(system, data);
+  place<RelaxingSprings>(system, data);
 }
 
 }  // namespace spoke

@@ -49,12 +49,19 @@ struct Block {
   std::optional<ReducedProducts> products;  ///< of a reduced solid, in its explicit block
 };
 
+/// An effort of an actor, on one of the coordinates.
+struct AddedEffort {
+  int coordinate = 0;
+  const JointEffort* effort = nullptr;
+};
+
 /// Data of the joint that carries a body. Its arrays lie in the body's storage.
 struct JointData {
   CoordinateBlock coordinates;
   double* a_found = nullptr;           ///< accelerations that the pass finds; for rk4 `a` itself
   PrescribedMotion* driven = nullptr;  ///< by driven component
   JointForces* forces = nullptr;
+  std::vector<AddedEffort> added;     ///< by actors
   RotationState* rotation = nullptr;  ///< rotation of the spherical primitive
 };
 

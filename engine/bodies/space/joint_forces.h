@@ -24,6 +24,14 @@ struct JointForces {
   std::array<double, Joint::kMost> share{};  ///< c stiffness + c' damping [kg m^2, kg]
 };
 
+/// What an actor adds to a coordinate of a joint.
+struct JointEffort {
+  double force = 0.0;        ///< [N m, N]
+  double stiffness = 0.0;    ///< by which the force falls with the coordinate [N m/rad, N/m]
+  double energy = 0.0;       ///< that it holds [J]
+  double dissipation = 0.0;  ///< power that it takes [W]
+};
+
 /// Sets the forces -k (q - rest) - d v + (stop) + (friction) + motor, linearised about the
 /// accelerations `a` that the coordinates have by now: tau = force + share a. Where an iteration
 /// has converged, the forces are those of its coordinates exactly, also for stops, friction and a

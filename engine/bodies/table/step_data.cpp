@@ -78,10 +78,19 @@ void StepData<World>::clear_load_failures() {
   for (const auto& actor : actors) actor->clear_failures();
 }
 
+namespace {
+
+bool is_acted_on(const BodyData<Plane>& body) { return !body.applied.empty(); }
+bool is_acted_on(const BodyData<Space>& body) {
+  return !body.applied.empty() || !body.joint.added.empty();
+}
+
+}  // namespace
+
 template <class World>
 PartList loads_on(std::size_t i, std::size_t j, const StepData<World>& data) {
   PartList list;
-  if (data.subsystems[i].bodies[j].applied.empty()) return list;  // spares a look at all markers
+  if (!is_acted_on(data.subsystems[i].bodies[j])) return list;  // spares a look at all markers
   for (const auto& actor : data.actors)
     actor->list_parts_on(static_cast<int>(i), static_cast<int>(j), list);
   return list;

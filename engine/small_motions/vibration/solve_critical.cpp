@@ -14,6 +14,7 @@
 #include "engine/critical.h"
 #include "engine/small_motions/steady/linear_model.h"
 #include "engine/small_motions/steady/linear_support.h"
+#include "engine/small_motions/steady/relaxing_joints.h"
 #include "engine/small_motions/steady/steady_speed.h"
 #include "engine/small_motions/steady/steady_warnings.h"
 #include "engine/small_motions/vibration/equilibrium_path.h"
@@ -410,6 +411,7 @@ class Search {
 
 CriticalResult solve_critical(const Scenario& scenario, const CriticalOptions& options) {
   check_scenario(scenario);
+  steady::refuse_relaxation(scenario);
   check(options);
   return Search(scenario, options).run();
 }

@@ -4,6 +4,7 @@
 #include "engine/small_motions/steady/describe_equilibrium.h"
 #include "engine/small_motions/steady/linear_support.h"
 #include "engine/small_motions/steady/linear_system.h"
+#include "engine/small_motions/steady/relaxing_joints.h"
 #include "engine/small_motions/steady/steady_speed.h"
 #include "engine/small_motions/steady/steady_warnings.h"
 #include "engine/small_motions/steady/supported_model.h"
@@ -28,6 +29,7 @@ ModeFrame choose_frame(const Scenario& scenario, double speed, std::optional<Mod
 LinearSystem solve_linear_system(const Scenario& scenario, const SteadyState& state,
                                  std::optional<ModeFrame> asked) {
   check_scenario(scenario);
+  steady::refuse_relaxation(scenario);
   const double speed = steady::find_steady_speed(scenario, state.speed);
   const bool is_fixed = choose_frame(scenario, speed, asked) == ModeFrame::fixed;
   const std::unique_ptr<steady::SteadyModel> model = steady::make_steady_model(

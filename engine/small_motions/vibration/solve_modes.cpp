@@ -11,6 +11,7 @@
 #include "engine/small_motions/steady/friction_at_rest.h"
 #include "engine/small_motions/steady/linear_model.h"
 #include "engine/small_motions/steady/linear_support.h"
+#include "engine/small_motions/steady/relaxing_joints.h"
 #include "engine/small_motions/steady/steady_speed.h"
 #include "engine/small_motions/steady/steady_warnings.h"
 #include "engine/small_motions/steady/supported_model.h"
@@ -346,6 +347,7 @@ ModesResult solve_in(ModeFrame frame, bool is_asked, const Scenario& scenario, d
 ModesResult vibration::solve_modes(const Scenario& scenario, const SteadyState& state,
                                    std::optional<ModeFrame> asked, const ModeCount& count) {
   check_scenario(scenario);
+  steady::refuse_relaxation(scenario);
   const double speed = steady::find_steady_speed(scenario, state.speed);
   ModesResult result =
       solve_in(choose_frame(scenario, asked), asked.has_value(), scenario, speed, count);

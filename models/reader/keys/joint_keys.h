@@ -36,6 +36,9 @@ inline constexpr std::array kJointRows{
     by_hand("rest", kNumber | kNumbers, spatial::kJointPosition,
             "coordinate at which the spring is at rest")
         .from("0"),
+    by_hand("relaxation", kTable | kTables, "a spring and a damper in series: a table, below")
+        .from("none")
+        .as("joint.relaxation"),
     by_hand("stop", kTable | kTables, "a table, below").from("none").as("joint.stop"),
     by_hand("friction", kTable | kTables, "a table, below").from("none").as("joint.friction"),
     by_hand("initial", kNumber | kNumbers, spatial::kJointPosition, "coordinate at t = 0")
@@ -90,6 +93,14 @@ inline constexpr std::array kFrictionRows{
     by_hand("stribeck", kNumber, Quantity::positive("rad/s, m/s"),
             "speed over which the force falls from `static` to `force`")
         .from("required with `static`")};
+
+inline constexpr std::array kRelaxationRows{
+    by_hand("stiffness", kNumber, Quantity::positive("N m/rad, N/m"), "of the spring")
+        .from("required"),
+    by_hand("time", kNumber, Quantity::positive("s"),
+            "in which the force of a spring that is held falls to 1/e: the damper's constant by "
+            "`stiffness`")
+        .from("required")};
 
 inline constexpr std::array kMotionRows{
     by_hand("constant", kNumber, spatial::kJointPosition, "this value"),

@@ -64,6 +64,7 @@ void add_joints(std::vector<Table>& all) {
   const Part joint{"joints", kJointRows};
   all.push_back({"blade.joint", {joint, {"[[blade.joint]]", kJointStationRows}}});
   all.push_back({"subsystem.joint", {joint, {"[[subsystem.joint]]", kSubsystemJointRows}}});
+  all.push_back({"joint.relaxation", {{"relaxations", kRelaxationRows}}});
   all.push_back({"joint.stop", {{"stops", kStopRows}}});
   all.push_back({"joint.friction", {{"frictions", kFrictionRows}}});
   all.push_back({"joint.motion", {{"motions", kMotionRows}}});

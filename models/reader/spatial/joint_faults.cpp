@@ -52,6 +52,12 @@ Fault find_friction_fault(const Friction& friction, const CoordinateUnits& unit)
   return first.found();
 }
 
+Fault find_relaxation_fault(const Relaxation& relaxation, const CoordinateUnits& unit) {
+  const FirstFault first;
+  visit_fields(relaxation, unit, first);
+  return first.found();
+}
+
 Fault find_motion_fault(const Motion& motion, const CoordinateUnits& unit) {
   const FirstFault first;
   if (const auto* table = std::get_if<MotionTable>(&motion))
@@ -81,6 +87,7 @@ Fault find_double(const JointCoordinate& coordinate, JointKind kind, int index) 
                [&](std::string_view key, double value, const Quantity&) {
                  if (value != 0.0) refuse(key);
                });
+  if (coordinate.relaxation) refuse("relaxation");
   if (coordinate.stop) refuse("stop");
   if (coordinate.friction) refuse("friction");
   if (!is_zero(coordinate.effort)) refuse(slides(kind, index) ? "force" : "torque");
@@ -99,6 +106,7 @@ Fault find_spherical_fault(const Joint& joint) {
     if (c.motion) refuse("motion");
     if (c.stop) refuse("stop");
     if (c.friction) refuse("friction");
+    if (c.relaxation) refuse("relaxation");
     if (c.rest != 0.0) refuse("rest");
     if (c.stiffness != joint.coordinates[0].stiffness)
       first.add({"stiffness", "differs between the coordinates, expected one for all three"});
@@ -127,6 +135,15 @@ Fault find_bushing_fault(const JointCoordinate& coordinate, int index) {
                "does not belong to kind \"bushing\""});
   if (coordinate.stop) first.add({"stop", "does not belong to kind \"bushing\""});
   if (coordinate.friction) first.add({"friction", "does not belong to kind \"bushing\""});
+  if (coordinate.relaxation) {
+    const Fault fault =
+        find_relaxation_fault(*coordinate.relaxation, units_of(JointKind::bushing, index));
+    first.add(fault.within("relaxation" + number));
+    if (is_held)
+      first.add({"relaxation" + number,
+                 "is in a direction that is held, since it has neither stiffness nor damping; "
+                 "expected {}"});
+  }
   const auto* motion = coordinate.motion ? std::get_if<MotionTable>(&*coordinate.motion) : nullptr;
   if (is_held && !(motion && is_zero(motion->value)))
     first.add({"motion" + number,
@@ -167,6 +184,8 @@ Fault find_coordinate_fault(const JointCoordinate& coordinate, JointKind kind, i
   if (coordinate.stop) first.add(find_stop_fault(*coordinate.stop, unit).within("stop" + number));
   if (coordinate.friction)
     first.add(find_friction_fault(*coordinate.friction, unit).within("friction" + number));
+  if (coordinate.relaxation)
+    first.add(find_relaxation_fault(*coordinate.relaxation, unit).within("relaxation" + number));
   if (coordinate.motion)
     first.add(find_motion_fault(*coordinate.motion, unit).within("motion" + number));
   return first.found();

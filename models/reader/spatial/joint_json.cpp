@@ -26,9 +26,11 @@ Json to_json(const Motion& motion) {
   return {{"time", value.times()}, {"value", value.values()}};
 }
 
-Json to_json(const Stop& stop) {
+/// Of a stop or a relaxation.
+template <class Item>
+Json to_json(const Item& item) {
   Json json;
-  visit_fields(stop, kAngleUnits, [&](const char* key, double value, const Quantity&, Presence) {
+  visit_fields(item, kAngleUnits, [&](const char* key, double value, const Quantity&, Presence) {
     json.set(key, value);
   });
   return json;
@@ -111,6 +113,7 @@ void add_joint(const Joint& joint, Json& json) {
   if (count == 0) return;
   add_numbers(joint, json);
   if (joint.hold) json.set("hold", true);
+  add_tables("relaxation", joint, &JointCoordinate::relaxation, json);
   if (joint.kind == JointKind::bushing) return;  // its other keys follow from its springs
   const std::size_t ways = slides(joint.kind, static_cast<int>(count) - 1) ? 1 : 0;
   if (count > ways) add_effort("torque", joint.coordinates.data(), count - ways, json);

@@ -33,6 +33,7 @@ void check_kind_keys(const TomlSection& section, std::string_view kind) {
                                  {"initial_speed", moving},
                                  {"hold", moving},
                                  {"rest", at_rest},
+                                 {"relaxation", at_rest},
                                  {"stop", bounded},
                                  {"friction", bounded},
                                  {"motion", bounded},
@@ -184,6 +185,18 @@ void read_frictions(const TomlSection& section, Joint& joint) {
               });
 }
 
+void read_relaxations(const TomlSection& section, Joint& joint) {
+  read_tables(
+      section, "relaxation", keys::keys_of(keys::kRelaxationRows), joint,
+      [&](const TomlSection& table, std::size_t i) {
+        if (count_coordinates(joint.kind) > 1 && !table.has("stiffness") && !table.has("time"))
+          return;
+        Relaxation relaxation;
+        visit_fields(relaxation, units_of(joint.kind, static_cast<int>(i)), FieldReader{table});
+        joint.coordinates[i].relaxation = relaxation;
+      });
+}
+
 void read_motions(const TomlSection& section, Joint& joint) {
   read_tables(section, "motion", keys::keys_of(keys::kMotionRows), joint,
               [&](const TomlSection& table, std::size_t i) {
@@ -214,6 +227,7 @@ Joint read_joint(const TomlSection& section) {
     read_effort(section, "torque", Quantity::any("N m"), joint.coordinates.data(), angles);
   if (has_way)
     read_effort(section, "force", Quantity::any("N"), joint.coordinates.data() + angles, 1);
+  read_relaxations(section, joint);
   read_stops(section, joint);
   read_frictions(section, joint);
   read_motions(section, joint);

@@ -102,6 +102,12 @@ void visit_fields(S& stop, const CoordinateUnits& unit, const Visit& visit) {
   visit("width", stop.width, Quantity::positive(unit.position), Presence::required);
 }
 
+template <PerhapsConst<Relaxation> R, class Visit>
+void visit_fields(R& relaxation, const CoordinateUnits& unit, const Visit& visit) {
+  visit("stiffness", relaxation.stiffness, Quantity::positive(unit.stiffness), Presence::required);
+  visit("time", relaxation.time, Quantity::positive("s"), Presence::required);
+}
+
 template <PerhapsConst<AzimuthMotion> M, class Visit>
 void visit_fields(M& motion, const CoordinateUnits& unit, const Visit& visit) {
   visit("mean", motion.mean, Quantity::any(unit.position), Presence::optional);

@@ -31,7 +31,7 @@ constexpr std::int64_t kSavedAt = 5;  ///< step at whose end values are taken
 
 /// Parts, by the end of their names, of which saved states hold values although steps do not go on
 /// from them: sensors show them.
-constexpr std::array<std::string_view, 2> kShown{"records", "air"};
+constexpr std::array<std::string_view, 3> kShown{"records", "air", "relaxing springs"};
 /// Parts marked as state of which they leave something out, besides what the evaluation before the
 /// first step finds.
 constexpr std::array<std::string_view, 2> kLeftOut{

@@ -10,6 +10,15 @@
 namespace spoke::test {
 namespace {
 
+/// Lets the free hinges of joints relax.
+void make_relaxing(Scenario& scenario) {
+  for (spatial::Subsystem& subsystem : scenario.space->subsystems)
+    for (spatial::SubsystemJoint& joint : subsystem.joints)
+      for (spatial::JointCoordinate& coordinate : joint.joint.coordinates)
+        if (joint.joint.kind != spatial::JointKind::spherical && !coordinate.motion)
+          coordinate.relaxation = {200.0, 0.02};
+}
+
 /// Gives solids the coordinates of all nodes.
 void make_nodal(Scenario& scenario) {
   for (spatial::Subsystem& subsystem : scenario.space->subsystems)
@@ -39,6 +48,7 @@ std::vector<ZooModel> list_zoo() {
          for (Blade& blade : s.rotor.blades) blade.strain = BeamStrain::nonlinear;
        }},
       {"solid_blade_rotor, nodal", "solid_blade_rotor", make_nodal},
+      {"tree_of_bodies, relaxing", "tree_of_bodies", make_relaxing},
       {"tree_of_bodies, with a spin", "tree_of_bodies",
        [](Scenario& s) {
          for (spatial::Subsystem& subsystem : s.space->subsystems)

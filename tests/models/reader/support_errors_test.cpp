@@ -138,9 +138,9 @@ TEST_CASE("trees of supports that are none are refused") {
           {"name = \"yaw\"", "azimuth = 0.1",
            "f.toml:39:1: support.joint.2.azimuth: unknown key, expected \"name\", \"kind\", "
            "\"axis\", \"axes\", \"offset\", \"orientation\", \"stiffness\", \"damping\", \"rest\", "
-           "\"stop\", \"friction\", \"initial\", \"initial_speed\", \"hold\", \"torque\", "
-           "\"force\", \"motion\", "
-           "\"parent\", \"child\", \"station\", \"node\" or \"interface\""},
+           "\"relaxation\", \"stop\", \"friction\", \"initial\", \"initial_speed\", \"hold\", "
+           "\"torque\", \"force\", \"motion\", \"parent\", \"child\", \"station\", \"node\" or "
+           "\"interface\""},
       });
 }
 

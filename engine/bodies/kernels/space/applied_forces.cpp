@@ -20,6 +20,8 @@ void find_slide(double t, std::size_t j, SubsystemData<Space>& data) {
   calc_joint_forces(model.joint, shifted.state, {}, nullptr, motor.data(), there);
   calc_joint_forces(model.joint, joint_state_of(body), {}, nullptr, motor.data(), here);
   body.slide.force = there.tau[c];
+  for (const space::AddedEffort& added : body.joint.added)
+    if (added.coordinate == model.slide->coordinate) body.slide.force += added.effort->force;
   body.slide.change = there.tau[c] - here.tau[c];
 }
 

@@ -44,12 +44,16 @@ space::BodyEnergies calc_energies(const System<Space>& system, const SubsystemDa
   return body.kind->calc_energies(body, twist, motion);
 }
 
-/// Returns the energy of the springs and stops of the joint that carries a body [J].
+/// Returns the energy of the springs and stops of the joint that carries a body, and that of what
+/// actors add to it [J].
 double calc_springs(const SubsystemData<Space>& data, std::size_t j) {
   const BodyData<Space>& body = data.bodies[j];
   const space::TreeJoint& joint = body.model->joint;
-  if (!joint.slide) return calc_spring_energy(joint.joint, joint_state_of(body));
-  return calc_spring_energy(joint.joint, ShiftedJoint(body, calc_slide_shift(data, j)).state);
+  double sum = joint.slide ? calc_spring_energy(joint.joint,
+                                                ShiftedJoint(body, calc_slide_shift(data, j)).state)
+                           : calc_spring_energy(joint.joint, joint_state_of(body));
+  for (const space::AddedEffort& added : body.joint.added) sum += added.effort->energy;
+  return sum;
 }
 
 }  // namespace

@@ -39,6 +39,19 @@ void add_joint_forces(double t, const space::ImplicitShares& shares, BodyData<Sp
   body.terms.dissipation += calc_dissipation(model.joint, ShiftedJoint(body, slide).state);
 }
 
+/// Adds what actors do to the joint, as far as its coordinates go.
+void add_efforts(const space::ImplicitShares& shares, BodyData<Space>& body) {
+  for (const space::AddedEffort& added : body.joint.added) {
+    space::JointForces& forces = *body.joint.forces;
+    const auto c = static_cast<std::size_t>(added.coordinate);
+    const double share = shares.stiffness * added.effort->stiffness;
+    forces.tau[c] += added.effort->force;
+    if (share != 0.0) forces.tau[c] += share * body.joint.coordinates.a[c];
+    forces.share[c] += share;
+    body.terms.dissipation += added.effort->dissipation;
+  }
+}
+
 /// Whether what is applied to a body is resolved in other frames than its own.
 bool is_resolved(const BodyData<Space>& body) {
   return !body.loads.empty() || (has_applied_tension(body) && !body.applied.empty());
@@ -180,6 +193,7 @@ void calc_terms(const System<Space>& system, const Subsystem<Space>& subsystem, 
     body.terms.load_power += calc_tension_power(body.terms.tension, angular(data.hub->twist),
                                                 calc_working_field(system, t, data));
   add_joint_forces(t, shares, body);
+  add_efforts(shares, body);
   const bool rises = system.gravity_ramp > 0.0;  // gravity
   space::Rotation R_HB;
   if (rises || is_resolved(body)) R_HB = calc_rotation_to_hub(subsystem, data, j);
