@@ -35,7 +35,7 @@ std::optional<std::size_t> find_node(const FlexibleBody& body, double station, d
 
 /// Moves the frame in which a joint is placed by the joint's own offset and orientation.
 Placement take_offset(const Placement& placement, Joint& joint) {
-  const Placement moved = placement * Placement{joint.offset, rotation_of(joint.orientation)};
+  Placement moved = placement * Placement{joint.offset, rotation_of(joint.orientation)};
   joint.offset = joint.orientation = Vector::Zero();
   return moved;
 }
