@@ -127,6 +127,11 @@ void SimulationCore::require_shareable(const Loads& loads) const {
   if (options.formulation == Formulation::augmented)
     throw InputError(text + "the formulation is augmented, expected structured or subsystem");
   if (!loads.empty()) throw InputError(text + "expected no loads of the program's");
+  for (const Anchor& anchor : scenario.space ? scenario.space->anchors : scenario.rotor.anchors)
+    if (anchor.frame == Anchor::Frame::axle)
+      throw InputError(text + "anchor \"" + anchor.name +
+                       "\" stands beside the axle, whose wrench takes the forces on it from all "
+                       "blades, of which each process has its own; expected one process");
   const int subsystems = model->extent().subsystems;
   if (count > subsystems)
     throw InputError(text + "it has " + counted(subsystems, "subsystem") +

@@ -2,6 +2,8 @@
 
 #include "engine/step/closing_nodes.h"
 
+#include <algorithm>
+
 #include "engine/bodies/kernels/hub_solve.h"
 #include "engine/bodies/kernels/kinematics.h"
 #include "engine/bodies/kernels/loops/loop_motion.h"
@@ -26,6 +28,15 @@ void list_states(const SubsystemData<World>& data, PartList& reached, PartList& 
     reached.push_back(pair->reached_part);
     kept.push_back(pair->kept_part);
   }
+}
+
+/// Whether a loop of subsystem `i` closes on an anchor beside the axle.
+template <class World>
+bool closes_beside_axle(const System<World>& system, std::size_t i) {
+  const std::vector<LoopModel>& loops = system.subsystems[i].loops;
+  return std::any_of(loops.begin(), loops.end(), [&system](const LoopModel& loop) {
+    return stands_beside_axle(system, loop.to);
+  });
 }
 
 /// Return the parts that calculating a sample writes besides it: spatial kernels share the
@@ -67,11 +78,9 @@ void add_finish(const Assembly<World>& g) {
   PartList reports;
   for (std::size_t i = 0; i < c.data.subsystems.size(); ++i) {
     const SubsystemParts& own = c.data.subsystems[i].parts;
-    if (!own.loops.is_empty()) {
-      reports.push_back(own.loops.report);
-      if (c.data.subsystems[i].rotor >= 0)  // see record_rotors()
-        graph::add_to(reports, own.loops.motion, own.loops.factor);
-    }
+    if (!own.loops.is_empty()) reports.push_back(own.loops.report);
+    if (closes_beside_axle(c.system, i))  // see record_rotors()
+      graph::add_to(reports, own.loops.motion, own.loops.factor, own.rotations, own.twists);
     list_states(c.data.subsystems[i], reports, outputs);
   }
   if (is_corrected) outputs.push_back(parts.hub_state);

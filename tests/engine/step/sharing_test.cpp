@@ -368,6 +368,12 @@ TEST_CASE("what processes cannot share is refused") {
   const Loads loads{make_load("own", {{0, 0, 1.0}}, [](auto...) {})};
   CHECK(refusal(scenario, {.exchange = &two}, loads) ==
         "2 processes simulate the model together: expected no loads of the program's");
+  Scenario helicopter = read("helicopter_on_gear", {});
+  helicopter.space->anchors.push_back({.name = "plate", .frame = Anchor::Frame::axle});
+  CHECK(refusal(helicopter, {.exchange = &two}) ==
+        "2 processes simulate the model together: anchor \"plate\" stands beside the axle, whose "
+        "wrench takes the forces on it from all blades, of which each process has its own; "
+        "expected one process");
   Simulation simulation(scenario, {.exchange = &two});
   CHECK_THROWS_WITH_AS(simulation.trace(1),
                        "a trace: several processes simulate the model together, expected one",
