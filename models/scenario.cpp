@@ -8,8 +8,11 @@ namespace spoke {
 
 bool has_loops(const Scenario& scenario) {
   const auto are_any = [](const auto& items) {
-    return std::any_of(items.begin(), items.end(),
-                       [](const auto& item) { return !item.loops.empty(); });
+    return std::any_of(items.begin(), items.end(), [](const auto& item) {
+      if constexpr (requires { item.couplings; })
+        if (!item.couplings.empty()) return true;
+      return !item.loops.empty();
+    });
   };
   if (!scenario.space) return are_any(scenario.rotor.blades);
   return are_any(scenario.space->blades) || are_any(scenario.space->subsystems);

@@ -126,7 +126,7 @@ struct SPOKE_EXPORT Scenario {
 /// "blade1".
 SPOKE_EXPORT double find_wohler_exponent(const Scenario& scenario, const std::string& name);
 
-/// Returns whether a blade or a subsystem has a closed loop.
+/// Returns whether a blade or a subsystem has a closed loop or a coupling.
 SPOKE_EXPORT bool has_loops(const Scenario& scenario);
 
 /// Returns the name that scenario files use: "generalized_alpha", "rk4".

@@ -42,6 +42,8 @@ enum class SensorQuantity {
   /// Energy of the deformation of a blade, of the springs of its joints and loops, and of gravity's
   /// tension [J].
   strain_energy,
+  /// Force of a coupling of joints: times the ratio of a coordinate it is the effort on that.
+  coupling_force,
 };
 
 /// The frame in which a motion is observed, and in which vectors are resolved.
@@ -94,6 +96,8 @@ struct Sensor {
   std::optional<int> node = std::nullopt;
   /// Name of the loop, of the blade or the subsystem; required for loop_reaction and loop_opening.
   std::string loop{};
+  /// Name of the coupling of the subsystem; required for coupling_force.
+  std::string coupling{};
 };
 
 /// Returns the frame in force.

@@ -17,6 +17,7 @@ enum class MeasuredAt {
   air,        ///< a section in air
   joint,      ///< a joint
   loop,       ///< a closed loop
+  coupling,   ///< a coupling of joints
   interface,  ///< an interface of a solid
   solid,      ///< a solid, or places of it
   tree,       ///< a blade or subsystem
@@ -44,6 +45,7 @@ inline constexpr Components kAcceleration{
 inline constexpr Components kWrench{{{"x", "N"}, {"y", "N"}, {"moment", "N m"}}};
 inline constexpr Components kMomentum{{{"x", "kg m/s"}, {"y", "kg m/s"}, {"angular", "kg m^2/s"}}};
 inline constexpr std::array<SensorComponent, 1> kEnergy{{{"", "J"}}};
+inline constexpr std::array<SensorComponent, 1> kCouplingForce{{{"", ""}}};
 inline constexpr std::array<SensorComponent, 1> kStress{{{"", "Pa"}}};
 
 // Components in space.
@@ -134,7 +136,13 @@ inline constexpr std::array kRows{
     QuantityRow{Quantity::air_flow, "air_flow", MeasuredAt::air, kInertial, {}, kAirFlow},
     QuantityRow{Quantity::air_load, "air_load", MeasuredAt::air, kInertial, {}, kAirLoad},
     QuantityRow{Quantity::strain_energy, "strain_energy", MeasuredAt::tree, kInertial, kEnergy,
-                kEnergy}};
+                kEnergy},
+    QuantityRow{Quantity::coupling_force,
+                "coupling_force",
+                MeasuredAt::coupling,
+                kInertial,
+                {},
+                kCouplingForce}};
 
 static_assert(std::is_sorted(kRows.begin(), kRows.end(),
                              [](const QuantityRow& a, const QuantityRow& b) {

@@ -16,6 +16,7 @@
 #include "models/air.h"
 #include "models/blade_choice.h"
 #include "models/control.h"
+#include "models/coupling.h"
 #include "models/curve.h"
 #include "models/drive.h"
 #include "models/loop.h"
@@ -250,6 +251,7 @@ struct Blade {
   double precone = 0.0;              ///< angle that lifts the tip along the hub's axis [rad]
   std::vector<BladeJoint> joints{};  ///< joints in order from root to tip
   std::vector<Loop> loops{};         ///< closed loops, as of subsystems
+  std::vector<Coupling> couplings{};  ///< gears and the like between its joints
   /// What air does to it, if there is any (Model::air); none: air does nothing.
   std::optional<BladeAerodynamics> aerodynamics{};
   int rotor = 0;  ///< number of the rotor whose hub carries it, see hub_of()
@@ -279,6 +281,7 @@ struct Subsystem {
   std::vector<Body> bodies{};            ///< one or more
   std::vector<SubsystemJoint> joints{};  ///< joints, one for each body
   std::vector<Loop> loops{};             ///< closures of loops that the joints leave open
+  std::vector<Coupling> couplings{};     ///< gears and the like between its joints
   /// Angle about the hub's axis by which its joints on the hub and what its loops have on the hub,
   /// the mount and anchors are turned; added to the hub's angle for AzimuthMotion [rad].
   double azimuth = 0.0;

@@ -35,6 +35,8 @@ std::string describe_row(const LoopRow& row) {
              describe_axis(space::Position(cross(row.axis, row.other).normalized()));
     case LoopRow::Kind::rotation:
       return "rotation about " + describe_axis(row.axis);
+    case LoopRow::Kind::coupling:
+      return "coupling";
     case LoopRow::Kind::distance:
       break;
   }

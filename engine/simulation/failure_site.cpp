@@ -190,7 +190,8 @@ FailureSite find_lost_loop(const System<World>& system, const StepData<World>& d
     while (k + 1 < loops.paths.size() && loops.paths[k + 1].first_row <= report.row) ++k;
     if (!is_singular) k = find_widest(system.subsystems[i], loops);
     const LoopModel& loop = system.subsystems[i].loops[k];
-    found = {static_cast<int>(i), loop.from.body, "closure of loop \"" + loop.name + "\"",
+    const std::string what = loop.is_coupling() ? "coupling" : "closure of loop";
+    found = {static_cast<int>(i), loop.from.body, what + " \"" + loop.name + "\"",
              is_singular ? " is lost in a singular position" : " is lost: it opens",
              stages::kLoopFactor};
     found.is_loop = true;

@@ -116,7 +116,8 @@ Wrench calc_joint_reaction(const SystemContext<Space>& context, int subsystem, i
 std::size_t find_loop(const std::vector<LoopModel>& loops, const std::string& subsystem,
                       std::string_view name) {
   std::vector<std::string_view> names;
-  for (const LoopModel& loop : loops) names.push_back(loop.name);
+  for (const LoopModel& loop : loops)  // couplings, which are behind all loops, have no places
+    if (!loop.is_coupling()) names.push_back(loop.name);
   const auto at = std::find(names.begin(), names.end(), name);
   if (at != names.end()) return static_cast<std::size_t>(at - names.begin());
   const auto nearest = nearest_name(name, names);

@@ -364,6 +364,17 @@ std::string find_radius_fault(const Integration& integration, const Scenario& sc
       return std::any_of(item.loops.begin(), item.loops.end(), is_rigid);
     });
   };
+  const auto has_rigid_coupling = [](const auto& items) {
+    return std::any_of(items.begin(), items.end(), [](const auto& item) {
+      return std::any_of(item.couplings.begin(), item.couplings.end(),
+                         [](const Coupling& coupling) { return coupling.stiffness == 0.0; });
+    });
+  };
+  if (scenario.space && (has_rigid_coupling(scenario.space->blades) ||
+                         has_rigid_coupling(scenario.space->subsystems)))
+    return "is " + describe(integration.spectral_radius) + ", expected at most " +
+           describe(kLargestRadius) +
+           " with rigid couplings, whose forces oscillate from step to step above it";
   if (scenario.space ? !are_any(scenario.space->blades) && !are_any(scenario.space->subsystems)
                      : !are_any(scenario.rotor.blades))
     return {};

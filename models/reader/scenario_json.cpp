@@ -135,6 +135,7 @@ Json to_json(const Sensor& sensor) {
   if (sensor.quantity == SensorQuantity::joint_reaction && sensor.joint)
     json.set("joint", sensor.joint->number());
   if (is_of_loop(sensor.quantity)) json.set("loop", sensor.loop);
+  if (!sensor.coupling.empty()) json.set("coupling", sensor.coupling);
   if (!sensor.interface.empty()) json.set("interface", sensor.interface);
   if (sensor.node) json.set("node", *sensor.node);
   if (frames_of(sensor.quantity).size() > 1) json.set("frame", name_of(frame_of(sensor)));

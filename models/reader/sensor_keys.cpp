@@ -21,6 +21,7 @@ bool takes(const QuantityRow& row, std::string_view key) {
   if (key == "position") return has_position(row.quantity);
   if (key == "joint") return at == MeasuredAt::joint;
   if (key == "loop") return at == MeasuredAt::loop;
+  if (key == "coupling") return at == MeasuredAt::coupling;
   if (key == "interface") return at == MeasuredAt::place || is_of_solid(row.quantity);
   if (key == "node") return at == MeasuredAt::place || at == MeasuredAt::solid;
   if (key == "frame") return row.frames.size() > 1;
@@ -60,7 +61,7 @@ SensorFrame read_sensor_frame(const TomlSection& section, SensorQuantity quantit
 
 void require_fitting_keys(const TomlSection& section, SensorQuantity quantity, bool in_plane) {
   for (const std::string_view key :
-       {"blade", "position", "joint", "loop", "interface", "node", "frame"})
+       {"blade", "position", "joint", "loop", "coupling", "interface", "node", "frame"})
     require_fitting(section, key, quantity, in_plane);
 }
 

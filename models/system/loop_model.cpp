@@ -2,8 +2,11 @@
 
 #include "models/system/loop_model.h"
 
+#include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace spoke {
 namespace space {
@@ -129,6 +132,30 @@ LoopModel make_loop(const Loop& loop, bool in_plane) {
   made.turns_to_start = !loop.from.orientation.has_value();
   made.measures_at_start = loop.kind == LoopKind::distance && !loop.length;
   made.rows = make_loop_rows(loop, in_plane);
+  return made;
+}
+
+double LoopModel::unit_of(const LoopRow& row, double length) const {
+  if (!is_coupling()) return row.is_length() ? length : 1.0;
+  double unit = 0.0;
+  for (const CoupledCoordinate& at : coupled)
+    unit = std::max(unit, std::abs(at.ratio) * (at.slides ? length : 1.0));
+  return unit;
+}
+
+LoopModel make_coupling(const Coupling& coupling, std::vector<CoupledCoordinate> coupled,
+                        double rest) {
+  assert(!coupled.empty());
+  LoopModel made;
+  made.name = coupling.name;
+  made.from.body = coupled.front().body;
+  made.to.carrier = LoopPlace::Carrier::hub;
+  LoopRow& row = made.rows.emplace_back();
+  row.kind = LoopRow::Kind::coupling;
+  row.rest = rest;
+  row.stiffness = coupling.stiffness;
+  row.damping = coupling.damping;
+  made.coupled = std::move(coupled);
   return made;
 }
 

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "models/coupling.h"
 #include "models/loop.h"
 #include "models/space/space.h"
 
@@ -33,6 +34,7 @@ struct LoopRow {
     alignment,     ///< axis . R other - rest: directions of `to` and `from` that stay at one angle
     rotation,      ///< axis . log R
     distance,      ///< |r| - rest
+    coupling,      ///< of a coupling of joints: sum c q - rest
   };
 
   Kind kind = Kind::displacement;
@@ -47,7 +49,16 @@ struct LoopRow {
   bool is_length() const { return kind == Kind::displacement || kind == Kind::distance; }
 };
 
-/// A closed loop of a subsystem.
+/// A coordinate of a joint in a coupling.
+struct CoupledCoordinate {
+  int body = 0;            ///< of the subsystem: the one that the joint carries
+  int component = 0;       ///< index of the coordinate, or of the driven component
+  bool is_driven = false;  ///< whether it is driven
+  bool slides = false;     ///< whether it is a length; else an angle
+  double ratio = 0.0;      ///< c
+};
+
+/// A closed loop of a subsystem, or a coupling of its joints: a row of efforts c on coordinates.
 struct LoopModel {
   std::string name;
   std::string owner;  ///< "blade 1", or the name of the subsystem
@@ -57,6 +68,15 @@ struct LoopModel {
   bool turns_to_start = false;     ///< the frame of `from` is the one of `to` at the start
   bool measures_at_start = false;  ///< the distance is that at the start
   std::vector<LoopRow> rows;
+  /// Coordinates of a coupling, which has one row and no places: `from` is of the first one's body,
+  /// with no force on it; empty: it is a loop.
+  std::vector<CoupledCoordinate> coupled;
+
+  bool is_coupling() const { return !coupled.empty(); }
+  /// Returns "loop" or "coupling".
+  const char* word() const { return is_coupling() ? "coupling" : "loop"; }
+  /// Returns the opening of a row that counts as one radian; `length`: of the model [m].
+  double unit_of(const LoopRow& row, double length) const;
 };
 
 /// The motion that the embedding program has set for an anchor, from a time on: value + rate s +
@@ -79,6 +99,9 @@ struct AnchorModel {
 
 /// Makes the rows of a closure; in the plane those that lie in it.
 std::vector<LoopRow> make_loop_rows(const Loop& loop, bool in_plane);
+/// Makes a coupling of these coordinates; `rest`: sum c q_0.
+LoopModel make_coupling(const Coupling& coupling, std::vector<CoupledCoordinate> coupled,
+                        double rest);
 /// Makes the constants of a loop besides its places.
 LoopModel make_loop(const Loop& loop, bool in_plane);
 AnchorModel make_anchor(const Anchor& anchor, const space::Rotation& to_axis);

@@ -181,6 +181,7 @@ Tree build_tree(const Blade& blade, const Model& model, std::size_t number) {
     builder.add(loop, [&tree](const std::string&) {
       return std::pair<std::size_t, std::size_t>(0, tree.bodies.size() - 1);
     });
+  tree.couplings = blade.couplings;
   return tree;
 }
 
@@ -239,6 +240,7 @@ class SubsystemBuilder {
         const Added& added = added_.at(name);
         return std::pair(added.first, added.last);
       });
+    tree_.couplings = subsystem_.couplings;
     return std::move(tree_);
   }
 

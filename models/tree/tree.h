@@ -70,6 +70,7 @@ struct Tree {
   std::vector<Beam> beams{};       ///< beams whose parts are the flexible bodies
   std::vector<TreeBody> bodies{};  ///< one or more
   std::vector<TreeLoop> loops{};   ///< closures between bodies, and of bodies on what carries them
+  std::vector<Coupling> couplings{};  ///< of joints of the bodies, by their names
 };
 
 /// Returns the number of coordinates of a tree: those of its joints, free or prescribed, of its

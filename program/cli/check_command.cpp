@@ -49,7 +49,8 @@ Limits find_limits(const Simulation& simulation) try {
 
 void print_limits(const Limits& limits) {
   const LinearProperties& properties = limits.properties;
-  if (!limits.unknown.empty()) return print_line("rk4", limits.unknown);
+  if (!limits.unknown.empty())
+    return print_line("rk4", "largest step not known: " + limits.unknown);
   if (properties.highest_frequency > 0.0) {
     print_line("at rest",
                "lowest natural frequency " + describe_frequency(properties.lowest_frequency));

@@ -4,6 +4,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -36,20 +37,39 @@ std::string describe(const Loop& loop, const std::string& own, bool in_plane) {
                      describe(loop.from, own), describe(loop.to, own));
 }
 
+/// Returns "gear (coupling, 1 row): 4 a + 1 b = 0", where coordinates are from their start.
+std::string describe(const Coupling& coupling) {
+  std::string sum;
+  for (const CoupledJoint& at : coupling.joints) {
+    sum += sum.empty() ? (at.ratio < 0.0 ? "-" : "") : at.ratio < 0.0 ? " - " : " + ";
+    sum += fmt::format("{:.6g} {}", std::abs(at.ratio), at.joint);
+    if (at.coordinate > 1) sum += fmt::format("[{}]", at.coordinate);
+  }
+  return fmt::format("{} (coupling, 1 row{}), {} kept", coupling.name,
+                     coupling.stiffness > 0.0 ? ", sprung" : "", sum);
+}
+
 struct OwnLoops {
   std::string name;
   const std::vector<Loop>* loops;
+  const std::vector<Coupling>* couplings;  ///< null: there cannot be any
 };
 
-/// Returns the blades and subsystems that have loops.
+/// Returns the blades and subsystems that have loops or couplings.
 std::vector<OwnLoops> find_owners(const Scenario& scenario) {
   std::vector<OwnLoops> owners;
-  const auto add = [&owners](const std::string& name, const std::vector<Loop>& loops) {
-    if (!loops.empty()) owners.push_back({name, &loops});
+  const auto add = [&owners](const std::string& name, const auto& of) {
+    OwnLoops own{name, &of.loops, nullptr};
+    bool has_any = !of.loops.empty();
+    if constexpr (requires { of.couplings; }) {
+      own.couplings = &of.couplings;
+      has_any |= !of.couplings.empty();
+    }
+    if (has_any) owners.push_back(own);
   };
   const auto add_blades = [&add](const auto& blades) {
     for (std::size_t i = 0; i < blades.size(); ++i)
-      add("blade " + std::to_string(i + 1), blades[i].loops);
+      add("blade " + std::to_string(i + 1), blades[i]);
   };
   if (!scenario.space) {
     add_blades(scenario.rotor.blades);
@@ -57,7 +77,7 @@ std::vector<OwnLoops> find_owners(const Scenario& scenario) {
   }
   add_blades(scenario.space->blades);
   for (const spatial::Subsystem& subsystem : scenario.space->subsystems)
-    add(subsystem.name, subsystem.loops);
+    add(subsystem.name, subsystem);
   return owners;
 }
 
@@ -114,6 +134,8 @@ void print_loops(const Simulation& simulation) {
   for (std::size_t k = 0; k < owners.size(); ++k) {
     std::vector<std::string> own;
     for (const Loop& loop : *owners[k].loops) own.push_back(describe(loop, "the blade", in_plane));
+    if (owners[k].couplings)
+      for (const Coupling& coupling : *owners[k].couplings) own.push_back(describe(coupling));
     own.push_back(describe(start.subsystems[k]));
     if (own == before) {
       lines.push_back(owners[k].name + ": as " + example);

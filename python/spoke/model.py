@@ -69,10 +69,13 @@ __all__ = [
     "blade",
     "blade_aerodynamics",
     "body",
+    "coupled_joint",
+    "coupling",
     "course",
     "damping",
     "distributed_load",
     "drag",
+    "friction",
     "gravity",
     "gust",
     "hub",
@@ -213,7 +216,7 @@ def course(*, time=None, x=None, y=None, z=None, value=None, constant=None, rate
 def blade(*, length=None, bodies=None, elements=None, density=None, area=None, second_moment=None,
           youngs_modulus=None, geometric_stiffening=None, reference_frame=None, strain=None,
           azimuth=None, sections=None, point_mass=None, loop=None, count=None, precone=None,
-          joint=None, aerodynamics=None):
+          joint=None, coupling=None, aerodynamics=None):
     """All blades alike, or one of several.
 
     length: from root to tip [m]
@@ -252,6 +255,7 @@ def blade(*, length=None, bodies=None, elements=None, density=None, area=None, s
     precone: angle by which the blade leaves the plane of rotation, its tip towards the axis'
         direction [rad]
     joint: joints of the blade, below
+    coupling: couplings of its joints
     aerodynamics: chords and aerofoils, on which air acts
     """
     return _given(locals())
@@ -400,6 +404,41 @@ def loop(*, name, kind, from_, to, axis=None, length=None, stiffness=None, dampi
     return _given(locals())
 
 
+def coupling(*, name, joints, stiffness=None, damping=None):
+    """A linear relation of coordinates of joints: a gear, a rack, a belt.
+
+    name: unlike that of any other coupling of the blade or subsystem
+    joints: the coordinates that it couples: two tables or more, below
+    stiffness: of a spring in place of the rigid relation: force by the sum of ratio times
+        coordinate [N m/rad, N/m]
+    damping: of a damper beside the spring [N m s/rad, N s/m]
+    """
+    return _given(locals())
+
+
+def coupled_joint(*, joint, ratio, coordinate=None):
+    """A coordinate of a joint in a coupling.
+
+    joint: name of a joint of the blade or subsystem, free or prescribed; of a support also "axle",
+        and "<name>.axle" of a rotor that has a name
+    coordinate: number of its coordinate
+    ratio: its factor in the sum; in all tables of a coupling of the same unit times coordinate [1,
+        1/rad, 1/m]
+    """
+    return _given(locals())
+
+
+def friction(*, force=None, speed=None, static=None, stribeck=None):
+    """Friction on a joint's coordinate.
+
+    force: of sliding [N m, N]
+    speed: over which it sets in: force · tanh(v/speed) at the speed v [rad/s, m/s]
+    static: at the start of sliding [N m, N]
+    stribeck: speed over which the force falls from static to force [rad/s, m/s]
+    """
+    return _given(locals())
+
+
 def place(*, body=None, anchor=None, station=None, point=None, orientation=None, interface=None):
     """A place of a closed loop.
 
@@ -447,7 +486,8 @@ def anchor_motion(*, by=None, translation=None, rotation=None):
     return _given(locals())
 
 
-def subsystem(*, name, azimuth=None, rotor=None, count=None, body=None, joint=None, loop=None):
+def subsystem(*, name, azimuth=None, rotor=None, count=None, body=None, joint=None, loop=None,
+              coupling=None):
     """A tree of bodies on the hub, in space.
 
     name: its name
@@ -460,6 +500,7 @@ def subsystem(*, name, azimuth=None, rotor=None, count=None, body=None, joint=No
     body: its bodies: beams, rigid bodies and solids
     joint: its joints, one for each body
     loop: its closed loops
+    coupling: couplings of its joints
     """
     return _given(locals())
 
@@ -543,7 +584,8 @@ def interface(*, name, nodes, kind=None, point=None):
 
 
 def support(*, from_=None, mass=None, center=None, inertia=None, position=None, attitude=None,
-            velocity=None, angular_velocity=None, body=None, joint=None, loop=None, axle=None):
+            velocity=None, angular_velocity=None, body=None, joint=None, loop=None, coupling=None,
+            axle=None):
     """What carries the hub's axle, in space.
 
     from_: "ground": the tree stands on the inertial frame, or on the mount that moves in it;
@@ -558,6 +600,7 @@ def support(*, from_=None, mass=None, center=None, inertia=None, position=None, 
     body: its bodies: beams, rigid bodies and solids
     joint: its joints, one for each body
     loop: its closed loops
+    coupling: couplings of its joints
     axle: where the tree carries the hub: [support.axle]
     """
     return _given(locals())
@@ -944,7 +987,7 @@ def statistics(*, exponents=None):
 
 
 def sensor(*, quantity, name=None, blade=None, position=None, joint=None, loop=None, frame=None,
-           subsystem=None, body=None, interface=None, node=None):
+           subsystem=None, body=None, coupling=None, interface=None, node=None):
     """What is measured besides the sensors that every simulation has.
 
     name: in the names of the columns, such as blade1.NAME.x
@@ -961,6 +1004,7 @@ def sensor(*, quantity, name=None, blade=None, position=None, joint=None, loop=N
         in tension, or its elongation, and only x is not 0)
     subsystem: name of a subsystem, in place of blade
     body: name of its body, for a motion, a section force or the reaction of a joint
+    coupling: name of a coupling of the subsystem
     interface: of a solid: name of the interface
     node: of a solid, in place of interface: number of a node in the mesh's file
     """

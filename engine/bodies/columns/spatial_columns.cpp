@@ -104,6 +104,15 @@ double find_in_air(const std::optional<double>& position, const std::vector<doub
          (*position - next[-1]) / (next[0] - next[-1]);
 }
 
+/// Returns the index of a coupling, which is there.
+std::size_t find_coupling(const std::vector<LoopModel>& loops, const std::string& name) {
+  const auto at = std::find_if(loops.begin(), loops.end(), [&name](const LoopModel& loop) {
+    return loop.is_coupling() && loop.name == name;
+  });
+  assert(at != loops.end());
+  return static_cast<std::size_t>(at - loops.begin());
+}
+
 Reading<Space> make_reading(const Sensor& sensor, const SensorPlace& place, const Tree& tree,
                             const Subsystem<Space>& subsystem, std::size_t first,
                             Recoveries& before) {
@@ -116,6 +125,8 @@ Reading<Space> make_reading(const Sensor& sensor, const SensorPlace& place, cons
     reading.loop = find_loop(subsystem.loops, sensor.loop);
     body = subsystem.loops[reading.loop].from.body;
   }
+  if (sensor.quantity == SensorQuantity::coupling_force)
+    reading.loop = find_coupling(subsystem.loops, sensor.coupling);
   reading.path = path_to(body, subsystem);
   const TreeBody<Space>& model = subsystem.bodies[static_cast<std::size_t>(body)];
   const bool has_place = has_position(sensor.quantity);

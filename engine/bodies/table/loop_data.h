@@ -106,6 +106,7 @@ struct LoopData {
   std::vector<LoopPath> paths;          ///< by loop
   std::vector<LoopRowUse> use;          ///< by row
   int last_body = -1;                   ///< the last body that carries a loop
+  std::vector<int> coupled;             ///< bodies whose joints are in couplings
   std::vector<std::vector<int>> meets;  ///< by loop: itself and those before that share a body
   /// The order in which rows are eliminated: by place in it the row, and by row the place. Rows of
   /// one loop follow one another.

@@ -68,4 +68,33 @@ void recover_coordinates(const JointResponse<World>& response, typename World::T
   }
 }
 
+/// What unit efforts on the coordinates of a joint that is eliminated add to the response.
+template <class World>
+struct EffortResponse {
+  std::array<double, World::kMostJointCoordinates> given{};         ///< t_k
+  std::array<double, World::kMostJointCoordinates> acceleration{};  ///< q'' at r = 0
+  typename World::Twist wrench = World::Twist::Zero();              ///< s
+};
+
+/// Returns it for efforts on n coordinates: forces tau alone.
+template <class World>
+EffortResponse<World> respond_to_efforts(
+    const JointResponse<World>& response,
+    const std::array<double, World::kMostJointCoordinates>& efforts, int n) noexcept {
+  EffortResponse<World> to;
+  for (int c = 0; c < n; ++c) {
+    const auto k = static_cast<std::size_t>(c);
+    const double force = efforts[k] + response.H.col(c).dot(to.wrench);
+    to.given[k] = response.yield[k] * force;
+    to.wrench -= force * response.gain.col(c);
+  }
+  typename World::Twist r = World::Twist::Zero();
+  for (int c = n; c-- > 0;) {
+    double& a = to.acceleration[static_cast<std::size_t>(c)];
+    a = to.given[static_cast<std::size_t>(c)] + response.gain.col(c).dot(r);
+    r -= a * response.H.col(c);
+  }
+  return to;
+}
+
 }  // namespace spoke::tree

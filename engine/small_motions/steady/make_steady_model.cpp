@@ -179,11 +179,25 @@ void require_hub_anchors(const spatial::Model& model) {
           "from its support, and this anchor is on both; runs have it");
 }
 
+/// Refuses couplings on the axle: their coordinates are of the rotor and of its support.
+void require_free_axles(const spatial::Model& model) {
+  if (!model.support) return;
+  const std::vector<Coupling>& couplings = model.subsystems.back().couplings;
+  const std::string axle = prefix_of_rotor(model, 0) + "axle";
+  for (std::size_t k = 0; k < couplings.size(); ++k)
+    for (const CoupledJoint& at : couplings[k].joints)
+      if (at.joint == axle)
+        throw InputError("support.coupling." + std::to_string(k + 1) + ": couples \"" + axle +
+                         "\": a steady state takes the rotor apart from its support, and this is "
+                         "on both; runs have it");
+}
+
 /// Pitch by the azimuth has a mean whether a drive or torque turns the hub.
 std::unique_ptr<SteadyModel> make_spatial(const Scenario& scenario, const SteadyOptions& options) {
   const spatial::Model& model = *scenario.space;
   require_one_rotor(model);
   require_hub_anchors(model);
+  require_free_axles(model);
   if (model.support) return make_supported(scenario, options);
   const std::vector<spatial::Tree> trees = build_trees(model);
   System<Space> system = make_system(model, trees, {{}, available_memory()});
@@ -211,6 +225,7 @@ std::unique_ptr<SteadyModel> make_rotor_model(const Scenario& scenario,
   assert(scenario.space);
   require_one_rotor(*scenario.space);
   require_hub_anchors(*scenario.space);
+  require_free_axles(*scenario.space);
   if (has_friction(scenario)) return make_rotor_model(with_friction_at_rest(scenario), options);
   if (has_changing_wind(scenario))
     return make_rotor_model(in_mean_wind(scenario, options.instant, WindPlaces::hub), options);

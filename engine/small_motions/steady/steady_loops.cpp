@@ -84,6 +84,7 @@ std::vector<LoopLoad> calc_loop_loads(const System<World>& system, std::size_t i
                                        static_cast<std::size_t>(multipliers.size()));
   for (std::size_t k = 0; k < system.subsystems[i].loops.size(); ++k) {
     const LoopModel& loop = system.subsystems[i].loops[k];
+    if (loop.is_coupling()) continue;
     LoopLoad& load = loads.emplace_back();
     load.name = loop.name;
     const LoopVector reaction = calc_loop_reaction(system, i, k, 0.0, data, by_row);

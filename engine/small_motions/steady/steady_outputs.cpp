@@ -114,6 +114,7 @@ bool SteadySystem<World>::is_steady(const SensorColumn& column) const {
             column.quantity == SensorQuantity::velocity ||
             column.quantity == SensorQuantity::loop_opening) &&
            (column.frame != SensorFrame::inertial || hub_.support == HubSupport::axle);
+  if (column.quantity == SensorQuantity::coupling_force) return true;
   const bool is_local =
       is_motion(column.quantity) || column.quantity == SensorQuantity::section_force ||
       column.quantity == SensorQuantity::joint_reaction || is_of_loop(column.quantity);

@@ -162,6 +162,14 @@ TwistOf<World> add_row_force(const LoopModel& loop, const LoopRowState<World>& r
   return size * row.hub;
 }
 
+/// Adds the efforts of a coupling, times its force, to those on coordinates.
+void add_efforts(const LoopModel& loop, double size, const std::vector<Eigen::Index>& starts,
+                 VectorXd& on_coordinates) {
+  for (const CoupledCoordinate& at : loop.coupled)
+    if (!at.is_driven)
+      on_coordinates[starts[static_cast<std::size_t>(at.body)] + at.component] += size * at.ratio;
+}
+
 template <class World>
 void sum_forces(const Subsystem<World>& subsystem, SubsystemData<World>& data,
                 SubsystemResponse& response) {
@@ -178,6 +186,11 @@ void sum_forces(const Subsystem<World>& subsystem, SubsystemData<World>& data,
       of_rows += add_row_force(loop, data.loops.states[row],
                                response.multipliers[static_cast<Eigen::Index>(row)], data, forces);
   TwistOf<World> hub = pass_all_inward(subsystem, data, starts, forces, response.force);
+  row = 0;
+  for (const LoopModel& loop : subsystem.loops) {
+    add_efforts(loop, response.multipliers[static_cast<Eigen::Index>(row)], starts, response.force);
+    row += loop.rows.size();
+  }
   for (std::size_t j = 0; j < data.bodies.size(); ++j)
     add_joint_springs(data.bodies[j], response.force.data() + starts[j]);
   hub += of_rows;
@@ -200,6 +213,7 @@ MatrixXd pass_unit_forces(const Subsystem<World>& subsystem, const SubsystemData
       VectorXd on_coordinates;
       TwistOf<World> hub = add_row_force(loop, data.loops.states[row], 1.0, data, forces);
       hub += pass_all_inward(subsystem, data, starts, forces, on_coordinates);
+      add_efforts(loop, 1.0, starts, on_coordinates);
       closures.row(static_cast<Eigen::Index>(row)) << hub.transpose(), on_coordinates.transpose();
     }
   return closures;

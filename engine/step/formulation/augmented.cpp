@@ -89,6 +89,17 @@ void subtract_place(const LoopPlaceModel& place, const TwistOf<World>& u,
   work.right[row] += u.dot(calc_handle_bias(body, place.handle, subsystem.twists[place.body]));
 }
 
+/// Subtracts the coordinates of a coupling from row `row`.
+template <class World>
+void subtract_coordinates(const LoopModel& coupling, const SubsystemData<World>& subsystem, int i,
+                          int row, Work& work) {
+  for (const CoupledCoordinate& at : coupling.coupled) {
+    if (at.is_driven) continue;
+    const int n = dense_size(*subsystem.bodies[at.body].model->body);
+    work.matrix(row, work.first[i][at.body] + n + at.component) -= at.ratio;
+  }
+}
+
 /// Fills the rows of the loops of subsystem i.
 template <class World>
 void add_loops(const Subsystem<World>& model, const SubsystemData<World>& subsystem, int i,
@@ -100,6 +111,10 @@ void add_loops(const Subsystem<World>& model, const SubsystemData<World>& subsys
       const int row = work.first_loop[i] + r;
       work.right[row] = -state.target;
       work.matrix(row, row) = -state.compliance;
+      if (model.loops[k].is_coupling()) {
+        subtract_coordinates(model.loops[k], subsystem, i, row, work);
+        continue;
+      }
       work.matrix.template block<1, World::kTwist>(row, work.hub[i]) = -state.hub.transpose();
       subtract_place(model.loops[k].from, state.from, subsystem, i, row, work);
       if (model.loops[k].to.carrier == LoopPlace::Carrier::body)

@@ -63,7 +63,8 @@ PartList parts_of_loop_matrix(const Subsystem<World>& subsystem, const Subsystem
 
 /// Adds to the accelerations at joints and roots what the loops' forces make of them, for recovery.
 template <class World>
-void load_joints_by_loops(const SubsystemData<World>& data, SubsystemWork<World>& work) noexcept;
+void load_joints_by_loops(const Subsystem<World>& subsystem, const SubsystemData<World>& data,
+                          SubsystemWork<World>& work) noexcept;
 /// Returns the parts that this depends on besides the forces.
 template <class World>
 PartList parts_of_loaded_joints(const SubsystemData<World>& data) {

@@ -22,13 +22,12 @@ bool moves(const space::DrivenMotion& motion, double duration, bool hub_turns) {
                      [&](double value) { return value != values.front(); });
 }
 
-/// Whether the drive turns the hub within the run, by its prescribed motion.
-template <class Hub>
-bool turns(const Hub& hub, double duration) {
+/// Whether a drive turns the hub within the run, by its prescribed motion.
+bool turns(const Drive& drive, double duration) {
   constexpr int kSamples = 64;
-  if (!prescribes_motion(hub.drive)) return false;
+  if (!prescribes_motion(drive)) return false;
   for (int k = 0; k <= kSamples; ++k)
-    if (calc_motion(hub.drive, duration * k / kSamples).speed != 0.0) return true;
+    if (calc_motion(drive, duration * k / kSamples).speed != 0.0) return true;
   return false;
 }
 
@@ -54,12 +53,13 @@ void add_driven(const SystemContext<World>& context, std::size_t subsystem, doub
                 LoopKinematics<World>& kinematics, GivenRates& given) {
   if constexpr (tree::kHasJointCoordinates<World>) {
     const Subsystem<World>& model = context.system.subsystems[subsystem];
-    const bool hub_turns = turns(context.system.hub, duration);
+    const bool hub_turns = turns(context.system.hub.drive, duration);
     for_loop_bodies(model, context.data.subsystems[subsystem].loops, [&](std::size_t j) {
       const space::JointCourse& course = model.bodies[j].joint.course;
       const std::vector<space::DrivenMotion>& driven = course.driven;
       for (std::size_t c = 0; c < driven.size(); ++c)
-        if ((c == 0 && course.control >= 0) || moves(driven[c], duration, hub_turns))
+        if ((c == 0 && course.control >= 0) || (course.drive && turns(*course.drive, duration)) ||
+            moves(driven[c], duration, hub_turns))
           given.add(kinematics.calc_driven_column(static_cast<int>(j), static_cast<int>(c)),
                     "the driven joint of body " + std::to_string(j + 1));
     });
@@ -104,7 +104,7 @@ GivenRates find_given_rates(SystemContext<World>& context, std::size_t subsystem
   GivenRates given;
   given.columns.resize(std::ssize(kinematics.rigid_rows()), 0);
   add_driven(context, subsystem, duration, kinematics, given);
-  if (turns(context.system.hub, duration))
+  if (turns(context.system.hub.drive, duration))
     given.add(kinematics.calc_hub_column(), "the rotation of the hub");
   add_places(context, subsystem, duration, kinematics, given);
   return given;
@@ -112,7 +112,7 @@ GivenRates find_given_rates(SystemContext<World>& context, std::size_t subsystem
 
 template <class World>
 bool is_at_rest(const System<World>& system, double duration) {
-  if (!is_prescribed(system) || turns(system.hub, duration)) return false;
+  if (!is_prescribed(system) || turns(system.hub.drive, duration)) return false;
   if constexpr (tree::kHasJointCoordinates<World>)
     if (system.hub.mount) return false;
   return true;

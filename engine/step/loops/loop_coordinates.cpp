@@ -67,7 +67,7 @@ LoopKinematics<World>::LoopKinematics(SystemContext<World>& context, std::size_t
     for (const LoopRow& constants : loop.rows) {
       if (constants.is_rigid()) {
         rigid_rows_.push_back(row);
-        scales.push_back(constants.is_length() ? 1.0 / context.data.length : 1.0);
+        scales.push_back(1.0 / loop.unit_of(constants, context.data.length));
       }
       ++row;
     }

@@ -122,9 +122,9 @@ void add_loop_forces(const Assembly<World>& g, int i) {
   if (c.formulation == Formulation::structured) {
     graph::add_to(inputs, structured::parts_of_loaded_joints(data));
     graph::add_to(outputs, own.joints());
-    return add_node(inputs, [&data, &work = c.work.structured[i]]() noexcept {
+    return add_node(inputs, [&subsystem, &data, &work = c.work.structured[i]]() noexcept {
       calc_loop_forces(data);
-      structured::load_joints_by_loops(data, work);
+      structured::load_joints_by_loops(subsystem, data, work);
     });
   }
   graph::add_to(inputs, subsystem::parts_of_loaded_joints(data));

@@ -50,8 +50,9 @@ std::string number(double value) {
 
 /// Makes the error of a loop, with the place of its key.
 InputError fail(const LoopModel& loop, const std::string& what) {
-  return InputError(loop.key + ": loop \"" + loop.name + "\" of " + loop.owner + ": " + what,
-                    {.key = loop.key});
+  return InputError(
+      loop.key + ": " + loop.word() + " \"" + loop.name + "\" of " + loop.owner + ": " + what,
+      {.key = loop.key});
 }
 
 /// Finds the loop and the row in it of a row of a subsystem.
@@ -112,6 +113,7 @@ template <class World>
 void LoopStarter<World>::measure_at_start() {
   kinematics_.evaluate();
   for (LoopModel& loop : subsystem_.loops) {
+    if (loop.is_coupling()) continue;
     const auto motion = [&](const LoopPlaceModel& place) {
       return calc_place_motion(context_.system, index_, place, 0.0, context_.data);
     };

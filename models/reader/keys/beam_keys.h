@@ -55,6 +55,9 @@ inline constexpr std::array kSpaceBladeRows{
     by_hand("loop", kTables, "[closed loops](#closed-loops-in-space) of the blade, below")
         .from("none")
         .as("loop"),
+    by_hand("coupling", kTables, "[couplings](#couplings-of-joints) of its joints")
+        .from("none")
+        .as("coupling"),
     by_hand("aerodynamics", kTable,
             "[chords and aerofoils](#bladeaerodynamics-chords-and-aerofoils), on which air acts")
         .from("none")

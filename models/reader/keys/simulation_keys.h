@@ -205,6 +205,8 @@ inline constexpr std::array kSpaceSensorRows{
             "name of a [closed loop](#bladeloop-closed-loops), which each blade, or the subsystem, "
             "that the sensor is on must have")
         .from("required for `loop_reaction`, `loop_opening`"),
+    by_hand("coupling", kText, "name of a coupling of the subsystem")
+        .from("required for `coupling_force`"),
     by_hand("interface", kText, "of a solid: name of the interface")
         .from("the second, where there are two"),
     by_hand("node", kWhole,

@@ -31,7 +31,8 @@ inline constexpr std::array kSubsystemRows{
 inline constexpr std::array kTreeRows{
     by_hand("body", kTables, "its bodies: beams, rigid bodies and solids").as("subsystem.body"),
     by_hand("joint", kTables, "its joints, one for each body").as("subsystem.joint"),
-    by_hand("loop", kTables, "its closed loops").as("loop")};
+    by_hand("loop", kTables, "its closed loops").as("loop"),
+    by_hand("coupling", kTables, "[couplings](#couplings-of-joints) of its joints").as("coupling")};
 
 inline constexpr std::array kBodyRows{
     by_hand("name", kText, "unlike that of any other of the subsystem, and not `\"hub\"`")
@@ -71,6 +72,33 @@ inline constexpr std::array kSubsystemJointRows{
     by_hand("interface", kText,
             "in place of `station`, on a parent that is a solid: name of one of its interfaces")
         .from("the second, where there are two")};
+
+inline constexpr std::array kCouplingRows{
+    by_hand("name", kText, "unlike that of any other coupling of the blade or subsystem")
+        .required()
+        .within("letters, digits, `_`, `-`, `.`; up to 64"),
+    by_hand("joints", kTables, "the coordinates that it couples: two tables or more, below")
+        .required()
+        .as("coupling.joints"),
+    number<&Coupling::stiffness>(
+        "stiffness", Quantity::not_negative("N m/rad, N/m"),
+        "of a spring in place of the rigid relation: force by the sum of ratio times coordinate")
+        .from("0: rigid"),
+    number<&Coupling::damping>("damping", Quantity::not_negative("N m s/rad, N s/m"),
+                               "of a damper beside the spring")
+        .within("0 or more; only with `stiffness`")};
+
+inline constexpr std::array kCoupledJointRows{
+    by_hand("joint", kText,
+            "name of a joint of the blade or subsystem, free or prescribed; of a support also "
+            "`\"axle\"`, and `\"<name>.axle\"` of a rotor that has a name")
+        .required(),
+    by_hand("coordinate", kWhole, "number of its coordinate").from("1").within("from 1"),
+    number<&CoupledJoint::ratio>(
+        "ratio", Quantity::any("1, 1/rad, 1/m"),
+        "its factor in the sum; in all tables of a coupling of the same unit times coordinate")
+        .required()
+        .within("not 0")};
 
 inline constexpr std::array kSupportRows{
     choice<&spatial::Support::from, spatial::SupportBase::ground, spatial::SupportBase::free>(

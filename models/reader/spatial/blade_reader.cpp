@@ -6,6 +6,8 @@
 #include "models/reader/row_reader.h"
 #include "models/reader/spatial/air_reader.h"
 #include "models/reader/spatial/body_reader.h"
+#include "models/reader/spatial/coupling_faults.h"
+#include "models/reader/spatial/coupling_reader.h"
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/joint_reader.h"
 #include "models/reader/spatial/section_reader.h"
@@ -56,6 +58,9 @@ Blade read_blade(const TomlSection& own, const TomlSection& common, double azimu
   if (const Fault fault = find_fault(blade))
     from.of(fault.path.substr(0, fault.path.find('.'))).fail_at(fault.path, fault.text);
   blade.loops = read_loops(from.of("loop"), surroundings_of(blade, model));
+  blade.couplings = read_couplings(from.of("coupling"));
+  if (const Fault fault = find_fault(blade.couplings, ends_of(blade)))
+    from.of("coupling").fail_at(fault.path, fault.text);
   return blade;
 }
 

@@ -8,6 +8,7 @@
 #include "models/air/wind_kept.h"
 #include "models/reader/damping.h"
 #include "models/reader/loop_faults.h"
+#include "models/reader/spatial/coupling_faults.h"
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/solid_faults.h"
 #include "models/solid/kept_geometry.h"
@@ -68,7 +69,8 @@ Fault find_tree_fault(const Subsystem& subsystem, const Model& model,
   if (!names.insert(subsystem.name).second)
     return {"name", "is \"" + subsystem.name + "\" as another subsystem's, expected its own"};
   if (Fault fault = find_fault(subsystem, base_of(subsystem, model))) return fault;
-  return find_fault(subsystem.loops, surroundings_of(subsystem, model));
+  if (Fault fault = find_fault(subsystem.loops, surroundings_of(subsystem, model))) return fault;
+  return find_fault(subsystem.couplings, ends_of(subsystem, model));
 }
 
 void read_wind_file(Wind& wind) {
@@ -111,8 +113,9 @@ void check_model(const Model& model) {
   });
   require(find_axle_frame_fault(model));
   check_each("blades", model.blades, [&](const Blade& blade) {
-    const Fault fault = find_fault(blade);
-    return fault ? fault : find_fault(blade.loops, surroundings_of(blade, model));
+    if (Fault fault = find_fault(blade)) return fault;
+    if (Fault fault = find_fault(blade.loops, surroundings_of(blade, model))) return fault;
+    return find_fault(blade.couplings, ends_of(blade));
   });
   std::set<std::string> names;
   for (std::size_t i = 0; i < model.subsystems.size(); ++i)

@@ -10,6 +10,7 @@
 #include "models/reader/loop_json.h"
 #include "models/reader/spatial/air_json.h"
 #include "models/reader/spatial/control_json.h"
+#include "models/reader/spatial/coupling_reader.h"
 #include "models/reader/spatial/course_json.h"
 #include "models/reader/spatial/field_writer.h"
 #include "models/reader/spatial/joint_json.h"
@@ -92,6 +93,7 @@ Json to_json(const Blade& blade, const Model& model) {
     json.append("joint", table);
   }
   add_loops(blade.loops, surroundings_of(blade, model), json);
+  add_couplings(blade.couplings, json);
   if (blade.aerodynamics) json.set("aerodynamics", aerodynamics_to_json(*blade.aerodynamics));
   return json;
 }
@@ -125,6 +127,7 @@ void add_tree(const Subsystem& subsystem, const Model& model, Json& json) {
     json.append("joint", table);
   }
   add_loops(subsystem.loops, surroundings_of(subsystem, model), json);
+  add_couplings(subsystem.couplings, json);
 }
 
 Json to_json(const Subsystem& subsystem, const Model& model) {

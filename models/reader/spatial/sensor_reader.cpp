@@ -173,6 +173,27 @@ std::vector<const std::vector<Loop>*> loops_of(const Sensor& sensor, const Model
   return loops;
 }
 
+/// Finds a fault of the coupling that a sensor names: of each blade, or of the subsystem, it is on.
+Fault find_coupling_fault(const Sensor& sensor, const Model& model) {
+  if (sensor.quantity != SensorQuantity::coupling_force) return {};
+  if (sensor.coupling.empty()) return {"coupling", "is missing, expected the name of a coupling"};
+  const auto find_missing = [&sensor](const std::vector<Coupling>& couplings) -> Fault {
+    if (couplings.empty())
+      return {"coupling", "is \"" + sensor.coupling + "\", but there is no coupling"};
+    std::vector<std::string_view> names;
+    for (const Coupling& coupling : couplings) names.push_back(coupling.name);
+    if (std::find(names.begin(), names.end(), sensor.coupling) != names.end()) return {};
+    return {"coupling", describe_unknown(sensor.coupling, names)};
+  };
+  for (std::size_t i = 0; i < model.blades.size(); ++i)
+    if (sensor.subsystem.empty() && sensor.blade.holds(i))
+      if (Fault fault = find_missing(model.blades[i].couplings)) return fault;
+  for (const Subsystem& subsystem : model.subsystems)
+    if (subsystem.name == sensor.subsystem)
+      if (Fault fault = find_missing(subsystem.couplings)) return fault;
+  return {};
+}
+
 Fault find_fault(const Sensor& sensor, const Model& model, const std::vector<Tree>& trees) {
   if (!sensor.name.empty() && !is_name(sensor.name))
     return {"name", "is \"" + sensor.name + "\", expected " + kNameExpected};
@@ -182,6 +203,7 @@ Fault find_fault(const Sensor& sensor, const Model& model, const std::vector<Tre
     return fault;
   if (const std::string fault = find_loop_fault(sensor, loops_of(sensor, model)); !fault.empty())
     return {"loop", fault};
+  if (const Fault fault = find_coupling_fault(sensor, model)) return fault;
   if (!needs_body(sensor)) return {};
   const auto places = find_places(sensor, model.blades.size(), trees);
   if (const SolidPart* solid = find_solid(places, trees)) {
@@ -255,6 +277,7 @@ Sensor read_sensor(const TomlSection& section, const Model& model) {
     sensor.joint =
         JointChoice::number(section.integer("joint", {1, std::numeric_limits<int>::max()}));
   sensor.loop = section.text("loop", "");
+  sensor.coupling = section.text("coupling", "");
   if (section.has("position")) sensor.position = section.number("position", kStation);
   sensor.interface = section.text("interface", "");
   if (section.has("node")) sensor.node = section.integer("node", kNodes);

@@ -7,6 +7,8 @@
 #include "models/reader/loop_reader.h"
 #include "models/reader/row_reader.h"
 #include "models/reader/spatial/body_reader.h"
+#include "models/reader/spatial/coupling_faults.h"
+#include "models/reader/spatial/coupling_reader.h"
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/joint_reader.h"
 #include "models/reader/spatial/section_reader.h"
@@ -146,6 +148,10 @@ void read_tree(const TomlSection& section, const Model& model, const std::string
     tree.joints.push_back(read_subsystem_joint(table, tree, base));
   if (const Fault fault = find_fault(tree, base)) section.fail_at(fault.path, fault.text);
   tree.loops = read_loops(section, surroundings_of(tree, model));
+  tree.couplings = read_couplings(section);
+  if (const Fault fault = find_fault(tree.couplings, ends_of(tree, model)))
+    section.fail_at(fault.path, fault.text);
+  tree.couplings = read_couplings(section);
 }
 
 std::vector<Subsystem> read_subsystems(const TomlSection& root, const Model& model,

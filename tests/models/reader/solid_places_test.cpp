@@ -160,7 +160,7 @@ TEST_CASE("sensors on solids are checked") {
            "\"velocity\", \"acceleration\", \"section_force\", \"joint_reaction\", "
            "\"hub_reaction\", \"momentum\", \"blade_momentum\", \"kinetic_energy\", "
            "\"loop_reaction\", \"loop_opening\", \"interface_force\", "
-           "\"von_mises\", \"air_flow\", \"air_load\" or \"strain_energy\""},
+           "\"von_mises\", \"air_flow\", \"air_load\", \"strain_energy\" or \"coupling_force\""},
       });
 }
 

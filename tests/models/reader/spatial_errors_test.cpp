@@ -45,7 +45,7 @@ TEST_CASE("what is of another world is refused") {
                    "f.toml:21:9: blade.hinge: unknown key, expected \"length\", \"bodies\", "
                    "\"elements\", \"sections\", \"reference_frame\", \"geometric_stiffening\", "
                    "\"strain\", \"point_mass\", \"azimuth\", \"precone\", \"joint\", \"loop\", "
-                   "\"aerodynamics\" or \"count\""},
+                   "\"coupling\", \"aerodynamics\" or \"count\""},
               });
 }
 

@@ -46,7 +46,7 @@ TEST_CASE("sensors on blades in space that cannot be are refused") {
            "\"acceleration\", \"section_force\", \"joint_reaction\", \"hub_reaction\", "
            "\"momentum\", \"blade_momentum\", \"kinetic_energy\", \"loop_reaction\", "
            "\"loop_opening\", \"interface_force\", "
-           "\"von_mises\", \"air_flow\", \"air_load\" or \"strain_energy\""},
+           "\"von_mises\", \"air_flow\", \"air_load\", \"strain_energy\" or \"coupling_force\""},
           {at, with("quantity = \"section_force\""),
            "f.toml:33:1: sensor.1.position: is missing, expected a distance from the root (m)"},
           {at, with("quantity = \"velocity\"\nposition = 8.5"),

@@ -214,7 +214,7 @@ TEST_CASE("fuselages that cannot fly are refused") {
           {"velocity = [30.0, 0.0, 0.0]", "speed = 30",
            "f.toml:14:1: support.speed: unknown key, expected \"from\", \"mass\", \"center\", "
            "\"inertia\", \"position\", \"attitude\", \"velocity\", \"angular_velocity\", \"body\", "
-           "\"joint\", \"loop\" or \"axle\""},
+           "\"joint\", \"loop\", \"coupling\" or \"axle\""},
           {"velocity = [30.0, 0.0, 0.0]", "angular_velocity = \"fast\"",
            "f.toml:14:20: support.angular_velocity: is \"fast\", expected an array of 3 numbers "
            "(rad/s)"},

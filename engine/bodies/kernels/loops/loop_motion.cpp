@@ -127,6 +127,38 @@ void calc_row(const Subsystem<World>& subsystem, std::size_t loop, int row, cons
   set_target(constants, loops.use[at], motion, gains, known, kinematic, state);
 }
 
+// Couplings of joints, of which the plane has none.
+
+void calc_coupling(const LoopModel&, std::size_t, const ClosureGains&, SubsystemData<Plane>&) {}
+
+/// Its row asks for the relative acceleration sum c q'' of free coordinates.
+void calc_coupling(const LoopModel& coupling, std::size_t row, const ClosureGains& gains,
+                   SubsystemData<Space>& data) {
+  LoopRowState<Space>& state = data.loops.states[row];
+  state.from.setZero();
+  state.to.setZero();
+  state.hub.setZero();
+  RowMotion motion{space::Twist::Zero(), -coupling.rows[0].rest, 0.0, 0.0};
+  double known = 0.0, kinematic = 0.0;
+  state.given_rate = 0.0;
+  for (const CoupledCoordinate& at : coupling.coupled) {
+    const BodyData<Space>& body = data.bodies[static_cast<std::size_t>(at.body)];
+    if (at.is_driven) {
+      const space::PrescribedMotion& driven = body.joint.driven[at.component];
+      motion.opening += at.ratio * driven.value;
+      state.given_rate += at.ratio * driven.rate;
+      known += at.ratio * driven.acceleration;
+      continue;
+    }
+    const CoordinateBlock& coordinates = body.joint.coordinates;
+    motion.opening += at.ratio * coordinates.q[at.component];
+    motion.rate += at.ratio * coordinates.v[at.component];
+    if (gains.position > 0.0) kinematic += at.ratio * coordinates.a[at.component];
+  }
+  motion.rate += state.given_rate;
+  set_target(coupling.rows[0], data.loops.use[row], motion, gains, known, kinematic, state);
+}
+
 }  // namespace
 
 template <class World>
@@ -151,6 +183,10 @@ void calc_loop_motion(const System<World>& system, std::size_t i, double t,
   }
   for (std::size_t k = 0; k < subsystem.loops.size(); ++k) {
     const LoopModel& loop = subsystem.loops[k];
+    if (loop.is_coupling()) {
+      calc_coupling(loop, static_cast<std::size_t>(data.loops.paths[k].first_row), gains, data);
+      continue;
+    }
     const Place from = find_place(system, loop.from, t, data);
     const Place to = find_place(system, loop.to, t, data);
     if (is_implicit) {
@@ -174,6 +210,8 @@ PartList parts_of_loop_motion(std::size_t i, bool has_implicit, const StepData<W
     if constexpr (!tree::kHasJointCoordinates<World>) list.push_back(own.bodies[j].coordinates);
     if (has_implicit) list.push_back(own.bodies[j].accelerations);
   }
+  for (const int j : subsystem.loops.coupled)
+    list.push_back(own.bodies[static_cast<std::size_t>(j)].coordinates);
   if (has_implicit && data.is_coupled) list.push_back(data.parts.hub_coordinates);
   return list;
 }

@@ -77,6 +77,7 @@ RowMotion calc_loop_row(const LoopRow& row, const PlaceMotion& from,
     case LoopRow::Kind::rotation:
       return space::calc_turn(row, m, from, to);
     case LoopRow::Kind::distance:
+    case LoopRow::Kind::coupling:  // has no places
       break;
   }
   return space::calc_distance(row, m);

@@ -51,7 +51,7 @@ space::Twist sum_loops(const System<Space>& system, std::size_t i, double t, int
   space::Twist sum = space::Twist::Zero();
   for (std::size_t k = 0; k < subsystem.loops.size(); ++k) {
     const LoopModel& loop = subsystem.loops[k];
-    if (!is_here(loop.from) && !is_here(loop.to)) continue;
+    if (loop.is_coupling() || (!is_here(loop.from) && !is_here(loop.to))) continue;
     // What acts on `from` at its place acts on `to` there with the other sign.
     const space::Twist wrench = translate(
         calc_place_motion(system, i, loop.from, t, data).p - p,

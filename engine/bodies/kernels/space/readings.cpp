@@ -142,6 +142,10 @@ space::Twist calc_reading(const System<Space>& system, std::size_t i, const Step
     case SensorQuantity::loop_reaction:
     case SensorQuantity::loop_opening:
       return calc_of_loop(system, i, data, t, asked);
+    case SensorQuantity::coupling_force:
+      return own.loops.kept_multipliers[static_cast<std::size_t>(
+                 own.loops.paths[asked.loop].first_row)] *
+             space::Twist::Unit(0);
     default:
       return calc_motion(system, i, data, t, asked);
   }

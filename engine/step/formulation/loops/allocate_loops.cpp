@@ -15,8 +15,10 @@ template <class World>
 LoopPath find_path(const Subsystem<World>& subsystem, const LoopModel& loop) {
   LoopPath path;
   path.rows = static_cast<int>(loop.rows.size());
-  for (const LoopPlaceModel* place : {&loop.from, &loop.to})
-    for (int j = place->body; j >= 0; j = subsystem.bodies[static_cast<std::size_t>(j)].parent)
+  std::vector<int> carriers{loop.from.body, loop.to.body};
+  for (const CoupledCoordinate& at : loop.coupled) carriers.push_back(at.body);
+  for (const int carrier : carriers)
+    for (int j = carrier; j >= 0; j = subsystem.bodies[static_cast<std::size_t>(j)].parent)
       path.bodies.push_back(j);
   std::sort(path.bodies.begin(), path.bodies.end(), std::greater<>());
   path.bodies.erase(std::unique(path.bodies.begin(), path.bodies.end()), path.bodies.end());
@@ -44,7 +46,8 @@ void list_paths(const Subsystem<World>& subsystem, LoopData<World>& loops) {
     path.first_branch = std::exchange(first_branch, first_branch + path.branches());
     path.first_handle =
         std::exchange(first_handle, first_handle + static_cast<std::size_t>(path.handles));
-    loops.last_body = std::max({loops.last_body, loop.from.body, loop.to.body});
+    loops.last_body = std::max(loops.last_body, path.bodies.front());  // from the tips on
+    for (const CoupledCoordinate& at : loop.coupled) loops.coupled.push_back(at.body);
     for (const LoopRow& row : loop.rows)
       loops.use.push_back(row.is_rigid() ? LoopRowUse::solved : LoopRowUse::sprung);
   }

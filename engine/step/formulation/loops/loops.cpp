@@ -101,6 +101,7 @@ void put_loop_wrenches(const Subsystem<World>& subsystem, SubsystemData<World>& 
   LoopData<World>& loops = data.loops;
   for (std::size_t k = 0; k < subsystem.loops.size(); ++k) {
     const LoopModel& loop = subsystem.loops[k];
+    if (loop.is_coupling()) continue;  // acts on joints alone
     const LoopPath& path = loops.paths[k];
     TwistOf<World> from = TwistOf<World>::Zero(), to = from;
     for (int row = 0; row < path.rows; ++row) {
@@ -140,7 +141,7 @@ void report_loops(const Subsystem<World>& subsystem, double length,
       const LoopRowUse use = loops.use[r];
       report.power -= loops.multipliers[r] * state.given_rate;
       if (use == LoopRowUse::sprung) report.dissipation += row.damping * state.rate * state.rate;
-      const double opening = std::abs(state.opening) / (row.is_length() ? length : 1.0);
+      const double opening = std::abs(state.opening) / loop.unit_of(row, length);
       if (use == LoopRowUse::solved) report.opening = std::max(report.opening, opening);
       if (use == LoopRowUse::dropped) report.dropped = std::max(report.dropped, opening);
       is_finite = is_finite && std::isfinite(loops.multipliers[r] + opening);

@@ -9,6 +9,7 @@
 // D, N and free come from the formulation: loop columns. The rest is common to `structured` and
 // `subsystem`; `augmented` has the rows in its one system.
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,22 @@ template <class World, class Visit>
 void for_places_on_bodies(const LoopModel& loop, const LoopRowState<World>& row, Visit&& visit) {
   visit(loop.from, row.from);
   if (loop.to.carrier == LoopPlace::Carrier::body) visit(loop.to, row.to);
+}
+
+/// Efforts by coordinate of a joint [1].
+using JointEfforts = std::array<double, space::Joint::kMost>;
+
+/// Sets the unit efforts of a coupling on the coordinates of the joint that carries a body. Returns
+/// whether there are any.
+inline bool find_efforts(const LoopModel& loop, int body, JointEfforts& efforts) {
+  bool has_any = false;
+  efforts.fill(0.0);
+  for (const CoupledCoordinate& at : loop.coupled) {
+    if (at.body != body || at.is_driven) continue;
+    efforts[static_cast<std::size_t>(at.component)] += at.ratio;
+    has_any = true;
+  }
+  return has_any;
 }
 
 /// Returns the bodies that carry places of a loop, each once.

@@ -7,6 +7,9 @@
 // in place of elimination's r and f. By reciprocity, K^T f is what the joint yields in the row:
 //   D = sum u^T P_ll' u' - sum K^T Pi K',    free = sum u . a_l - sum K . (Pi r + s)
 // At a root, A_0 in place of K, -(free - R^T b) in place of r, and N = T^T R Pi A_0.
+// A coupling of joints has efforts e on their coordinates, and no wrench. With x and t what these
+// make of s and t in tree/joint_coordinates.h,
+//   f = Pi K + x,    D += -K^T x' - x^T K' + e . q''(0, t'),    free += e . q''(r)
 
 #include <array>
 #include <cassert>
@@ -140,12 +143,27 @@ class LoopEliminator {
     K = -at(joint.handle);
     if (joint.carries())
       K += carry_inward(joint_of(subsystem_, data_, c), branch(joint.child_at, of_loop));
-    const Vector f = elimination.Pi * K;
+    Vector f = elimination.Pi * K;
+    double& free = data_.loops.free[static_cast<std::size_t>(path_.first_row + of_loop)];
+    free -= K.dot(transmitted(elimination));
+    if constexpr (tree::kHasJointCoordinates<World>)
+      add_efforts(joint.child, elimination.response, elimination.rhs, f, free);
     data_.loops.joint_forces[column] = f;
     for (int h = 0; h < joint.handle; ++h)
       at(h) += respond(data_, work_, joint.parent, h, joint.handle, f);
-    data_.loops.free[static_cast<std::size_t>(path_.first_row + of_loop)] -=
-        K.dot(transmitted(elimination));
+  }
+
+  /// Adds what a coupling does to the coordinates of a joint. r: its relative acceleration without
+  /// unit forces.
+  template <class Response>
+  void add_efforts(int body, const Response& response, const Vector& r, Vector& f, double& free) {
+    JointEfforts efforts;
+    if (!find_efforts(loop_, body, efforts)) return;
+    const int n = subsystem_.bodies[static_cast<std::size_t>(body)].joint.joint.coordinates;
+    f += tree::respond_to_efforts<World>(response, efforts, n).wrench;
+    std::array<double, space::Joint::kMost> a{};
+    tree::recover_coordinates<World>(response, r, n, a.data());
+    for (std::size_t c = 0; c < a.size(); ++c) free += efforts[c] * a[c];
   }
 
   void eliminate_root(int body, const Vector& A, std::size_t r, std::size_t column) {
@@ -154,11 +172,14 @@ class LoopEliminator {
     const tree::RootElimination<World>& root =
         work_.roots[static_cast<std::size_t>(work_.root_at[j])];
     const auto joint = joint_of(subsystem_, data_, j);
-    const Vector f = root.mass * A;
+    Vector f = root.mass * A;
+    loops.free[r] -= A.dot(transmitted(joint, root));
+    if constexpr (tree::kHasJointCoordinates<World>)
+      add_efforts(body, root.response, Vector(root.free - joint.R.inverse() * joint.bias), f,
+                  loops.free[r]);
     loops.joints[column] = A;
     loops.joint_forces[column] = f;
     loops.hub[r] += translate(joint.p, Vector(joint.R * f));
-    loops.free[r] -= A.dot(transmitted(joint, root));
   }
 
   const Subsystem<World>& subsystem_;
@@ -179,6 +200,8 @@ class LoopCoupling {
   void couple(std::size_t a, std::size_t b) {
     const LoopPath &of_a = data_.loops.paths[a], &of_b = data_.loops.paths[b];
     for (auto& row : yielded_) row.fill(0.0);
+    a_ = &subsystem_.loops[a];
+    b_ = &subsystem_.loops[b];
     add_joints(of_a, of_b);
     add_roots(of_a, of_b);
     for (int i = 0; i < of_a.rows; ++i)
@@ -228,6 +251,20 @@ class LoopCoupling {
             data_.loops.joints[a.column(x, i)].dot(data_.loops.joint_forces[b.column(y, j)]);
   }
 
+  /// Adds the rest of what the joint of a body yields to the efforts of couplings. `y`: as above.
+  template <class Response>
+  void add_efforts(int body, const Response& response, const LoopPath& b, std::size_t y) {
+    JointEfforts of_a, of_b;
+    if (work_.by_mass || !find_efforts(*a_, body, of_a)) return;
+    const int n = subsystem_.bodies[static_cast<std::size_t>(body)].joint.joint.coordinates;
+    const Vector wrench = tree::respond_to_efforts<World>(response, of_a, n).wrench;
+    for (int j = 0; j < b.rows; ++j)
+      yielded(0, j) += wrench.dot(data_.loops.joints[b.column(y, j)]);
+    if (!find_efforts(*b_, body, of_b)) return;
+    const auto to_b = tree::respond_to_efforts<World>(response, of_b, n);
+    for (std::size_t c = 0; c < of_a.size(); ++c) yielded(0, 0) -= of_a[c] * to_b.acceleration[c];
+  }
+
   /// Goes through the joints that both load, whose lists have one order. By masses those load
   /// nothing that carry no loop.
   void add_joints(const LoopPath& a, const LoopPath& b) {
@@ -235,6 +272,9 @@ class LoopCoupling {
       const LoadedJoint &x = a.joints[m], &y = b.joints[n];
       if (x.child == y.child) {
         if (!work_.by_mass || (x.carries() && y.carries())) add_columns(a, m, b, n);
+        if constexpr (tree::kHasJointCoordinates<World>)
+          add_efforts(x.child, work_.bodies[static_cast<std::size_t>(x.child)].joint.response, b,
+                      n);
         ++m;
         ++n;
       } else if (x.parent > y.parent || (x.parent == y.parent && x.handle > y.handle)) {
@@ -247,13 +287,22 @@ class LoopCoupling {
 
   void add_roots(const LoopPath& a, const LoopPath& b) {
     for (std::size_t m = 0; m < a.roots.size(); ++m)
-      for (std::size_t n = 0; n < b.roots.size(); ++n)
-        if (a.roots[m] == b.roots[n]) add_columns(a, a.joints.size() + m, b, b.joints.size() + n);
+      for (std::size_t n = 0; n < b.roots.size(); ++n) {
+        if (a.roots[m] != b.roots[n]) continue;
+        add_columns(a, a.joints.size() + m, b, b.joints.size() + n);
+        if constexpr (tree::kHasJointCoordinates<World>)
+          add_efforts(a.roots[m], root_of(a.roots[m]).response, b, b.joints.size() + n);
+      }
+  }
+
+  const tree::RootElimination<World>& root_of(int body) const {
+    return work_.roots[static_cast<std::size_t>(work_.root_at[static_cast<std::size_t>(body)])];
   }
 
   const Subsystem<World>& subsystem_;
   const SubsystemWork<World>& work_;
   SubsystemData<World>& data_;
+  const LoopModel *a_ = nullptr, *b_ = nullptr;  ///< the two at hand
   std::array<std::array<double, kMostRows>, kMostRows> yielded_;
 };
 
@@ -311,16 +360,32 @@ PartList parts_of_loop_matrix(const Subsystem<World>& subsystem, const Subsystem
   for (const LoopModel& loop : subsystem.loops)
     for (const int body : bodies_of(loop))
       list.push_back(response_of<World>(own.bodies[static_cast<std::size_t>(body)]));
+  for (const int body : data.loops.coupled)  // what roots give is of the part `effective`
+    if (subsystem.bodies[static_cast<std::size_t>(body)].parent >= 0)
+      list.push_back(own.bodies[static_cast<std::size_t>(body)].joint);
   return list;
 }
 
 namespace {
 
-/// Adds the forces of a loop's rows to what a joint gives; `at`: of the joint, or behind these of
-/// the root, among those that the loop loads; `child_at`: place of its child in the path.
+/// Adds the efforts of a coupling, times its force, to what the joint of a body gives.
+template <class Joint, class Elimination>
+void load_coordinates(const LoopModel& coupling, double lambda, int body, const Joint& model,
+                      Elimination& joint) {
+  JointEfforts efforts;
+  if (!find_efforts(coupling, body, efforts)) return;
+  const auto to = tree::respond_to_efforts<Space>(joint.response, efforts, model.coordinates);
+  joint.response.wrench += lambda * to.wrench;
+  for (std::size_t c = 0; c < efforts.size(); ++c) joint.response.given[c] += lambda * to.given[c];
+}
+
+/// Adds the forces of a loop's rows to what the joint of a body gives; `at`: of the joint, or
+/// behind these of the root, among those that the loop loads; `child_at`: place of its child in the
+/// path.
 template <class World, class Elimination>
-void load_joint(const LoopData<World>& loops, const LoopPath& path, std::size_t at, int child_at,
-                bool by_mass, Elimination& joint, TwistOf<World>& rhs) {
+void load_joint(const Subsystem<World>& subsystem, const LoopModel& loop,
+                const LoopData<World>& loops, const LoopPath& path, std::size_t at, int child_at,
+                int child, bool by_mass, Elimination& joint, TwistOf<World>& rhs) {
   for (int row = 0; row < path.rows; ++row) {
     const double lambda = loops.multipliers[static_cast<std::size_t>(path.first_row + row)];
     if (lambda == 0.0) continue;  // of redundant rows
@@ -334,37 +399,47 @@ void load_joint(const LoopData<World>& loops, const LoopPath& path, std::size_t 
         continue;
       }
     rhs += lambda * loops.joints[column];
+    if constexpr (tree::kHasJointCoordinates<World>)
+      load_coordinates(loop, lambda, child,
+                       subsystem.bodies[static_cast<std::size_t>(child)].joint.joint, joint);
   }
 }
 
 template <class World>
-void load_joints(const LoopData<World>& loops, const LoopPath& path, SubsystemWork<World>& work) {
+void load_joints(const Subsystem<World>& subsystem, std::size_t k, const LoopData<World>& loops,
+                 SubsystemWork<World>& work) {
+  const LoopModel& loop = subsystem.loops[k];
+  const LoopPath& path = loops.paths[k];
   for (std::size_t m = 0; m < path.joints.size(); ++m) {
     const LoadedJoint& loaded = path.joints[m];
     if (work.by_mass && !loaded.carries()) continue;
     auto& joint = work.bodies[static_cast<std::size_t>(loaded.child)].joint;
-    load_joint(loops, path, m, loaded.child_at, work.by_mass, joint, joint.rhs);
+    load_joint(subsystem, loop, loops, path, m, loaded.child_at, loaded.child, work.by_mass, joint,
+               joint.rhs);
   }
   for (std::size_t m = 0; m < path.roots.size(); ++m) {
     const int at = work.root_at[static_cast<std::size_t>(path.roots[m])];
     auto& root = work.roots[static_cast<std::size_t>(at)];
-    load_joint(loops, path, path.joints.size() + m, path.place_of(path.roots[m]), work.by_mass,
-               root, root.free);
+    load_joint(subsystem, loop, loops, path, path.joints.size() + m, path.place_of(path.roots[m]),
+               path.roots[m], work.by_mass, root, root.free);
   }
 }
 
 }  // namespace
 
 template <class World>
-void load_joints_by_loops(const SubsystemData<World>& data, SubsystemWork<World>& work) noexcept {
-  for (const LoopPath& path : data.loops.paths) load_joints(data.loops, path, work);
+void load_joints_by_loops(const Subsystem<World>& subsystem, const SubsystemData<World>& data,
+                          SubsystemWork<World>& work) noexcept {
+  for (std::size_t k = 0; k < subsystem.loops.size(); ++k)
+    load_joints(subsystem, k, data.loops, work);
 }
 
 template void calc_loop_columns(const Subsystem<Plane>&, std::size_t, const SubsystemWork<Plane>&,
                                 SubsystemData<Plane>&) noexcept;
 template void fill_loop_matrix(const Subsystem<Plane>&, const SubsystemWork<Plane>&,
                                SubsystemData<Plane>&) noexcept;
-template void load_joints_by_loops(const SubsystemData<Plane>&, SubsystemWork<Plane>&) noexcept;
+template void load_joints_by_loops(const Subsystem<Plane>&, const SubsystemData<Plane>&,
+                                   SubsystemWork<Plane>&) noexcept;
 template PartList parts_of_loop_columns(const Subsystem<Plane>&, std::size_t,
                                         const SubsystemData<Plane>&);
 template PartList parts_of_loop_matrix(const Subsystem<Plane>&, const SubsystemData<Plane>&);
@@ -372,7 +447,8 @@ template void calc_loop_columns(const Subsystem<Space>&, std::size_t, const Subs
                                 SubsystemData<Space>&) noexcept;
 template void fill_loop_matrix(const Subsystem<Space>&, const SubsystemWork<Space>&,
                                SubsystemData<Space>&) noexcept;
-template void load_joints_by_loops(const SubsystemData<Space>&, SubsystemWork<Space>&) noexcept;
+template void load_joints_by_loops(const Subsystem<Space>&, const SubsystemData<Space>&,
+                                   SubsystemWork<Space>&) noexcept;
 template PartList parts_of_loop_columns(const Subsystem<Space>&, std::size_t,
                                         const SubsystemData<Space>&);
 template PartList parts_of_loop_matrix(const Subsystem<Space>&, const SubsystemData<Space>&);

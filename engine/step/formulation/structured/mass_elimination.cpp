@@ -44,7 +44,8 @@ MassJoint joint_at(const SubsystemWork<Space>& work, int body, bool is_root) {
 /// it a wrench b on its origin; at a joint, in the parent's frame, with g = H^T b one coordinate
 /// after another:
 ///   b -= g d y,   D += g d g',   free += g t
-/// and of what is left free += b . a, a the acceleration that bias and rotation make.
+/// where the efforts of a coupling add to g, and of what is left free += b . a, a the acceleration
+/// that bias and rotation make.
 class MassLoop {
  public:
   MassLoop(const Subsystem<Space>& subsystem, std::size_t loop, const SubsystemWork<Space>& work,
@@ -109,14 +110,16 @@ class MassLoop {
 
   /// Takes off b what the joint's coordinates yield, and turns it to the parent's frame. `a`: of
   /// the handle that carries the joint, at zero acceleration of its frame.
-  void yield(const MassJoint& joint, const space::JointTerms& terms, int of_loop,
+  void yield(const MassJoint& joint, const space::JointTerms& terms, int child, int of_loop,
              std::size_t column, const space::Twist& a, space::Twist& b) {
     LoopData<Space>& loops = data_.loops;
     double& free = loops.free[static_cast<std::size_t>(path_.first_row + of_loop)];
     b = terms.R * b;
+    JointEfforts efforts;
+    find_efforts(loop_, child, efforts);
     for (int c = 0; c < terms.coordinates; ++c) {
       const auto k = static_cast<std::size_t>(c);
-      const double g = b.dot(joint.response.H.col(c));
+      const double g = b.dot(joint.response.H.col(c)) + efforts[k];
       b -= g * joint.response.gain.col(c);
       free += g * joint.response.given[k];
       loops.joints[column][c] = g;
@@ -132,14 +135,14 @@ class MassLoop {
     const BodyData<Space>& parent = data_.bodies[static_cast<std::size_t>(joint.parent)];
     const space::JointTerms terms = joint_of(subsystem_, data_, c);
     space::Twist& b = branch(joint.child_at, of_loop);
-    yield(joint_at(work_, joint.child, false), terms, of_loop, column,
+    yield(joint_at(work_, joint.child, false), terms, joint.child, of_loop, column,
           acceleration_of(parent, space::Twist::Zero(), joint.handle), b);
     on_parent += translate(place_of(parent, joint.handle), translate(terms.p, b));
   }
 
   void pass_root(int body, int of_loop, std::size_t column, space::Twist& b) {
     const space::JointTerms terms = joint_of(subsystem_, data_, static_cast<std::size_t>(body));
-    yield(joint_at(work_, body, true), terms, of_loop, column, space::Twist::Zero(), b);
+    yield(joint_at(work_, body, true), terms, body, of_loop, column, space::Twist::Zero(), b);
     data_.loops.hub[static_cast<std::size_t>(path_.first_row + of_loop)] += translate(terms.p, b);
   }
 

@@ -1,7 +1,9 @@
 // What unit forces of closures do, from the factors of the subsystem's joints: docs/formulation.md,
 // section 12. With C = Phi M^-1 u, and the joints' forces that follow, X = D^-1 C,
 //   D of the loops = u^T M^-1 u - C^T X,    free = u . a - C^T x,    N = - C^T X_Y
-// where x and X_Y are the joints' forces without loops, and by the hub's acceleration.
+// where x and X_Y are the joints' forces without loops, and by the hub's acceleration. The efforts
+// e of a coupling act on the coordinates of joints alone: C = 0, and with q'' what a unit force
+// makes of these, D of the loops += e . q'', free += e . q''.
 
 #include <cassert>
 
@@ -41,6 +43,31 @@ void fill_right(const Subsystem<World>& subsystem, const SubsystemData<World>& d
   }
 }
 
+/// Calls `visit(its row among all coordinates of joints, ratio, body)` for the free coordinates of
+/// a coupling.
+template <class World, class Visit>
+void for_efforts(const LoopModel& loop, const SubsystemWork<World>& work, const Visit& visit) {
+  for (const CoupledCoordinate& at : loop.coupled)
+    if (!at.is_driven)
+      visit(work.first_coordinate[static_cast<std::size_t>(at.body)] + at.component, at.ratio,
+            at.body);
+}
+
+/// Adds what a coupling feels of the hub's acceleration, and without it.
+template <class World>
+void add_coupling(const Subsystem<World>& subsystem, const SubsystemData<World>& data,
+                  const LoopModel& coupling, const SubsystemWork<World>& work, TwistOf<World>& hub,
+                  double& free) {
+  constexpr int d = World::kTwist;
+  for_efforts(coupling, work, [&](int row, double ratio, int body) {
+    free += ratio * work.response(row, d);
+    const auto root = joint_of(
+        subsystem, data, static_cast<std::size_t>(work.root_of[static_cast<std::size_t>(body)]));
+    hub += ratio * (tree::carrying_matrix<World>(root).transpose() *
+                    work.response.row(row).template head<d>().transpose());
+  });
+}
+
 }  // namespace
 
 template <class World>
@@ -60,6 +87,8 @@ void calc_loop_columns(const Subsystem<World>& subsystem, std::size_t loop,
   solve_cholesky(work.D, columns.solution);
   if (work.columns.cols() > 0) {
     columns.response.noalias() = -work.columns.transpose().lazyProduct(columns.solution);
+    for_efforts(model, work,
+                [&columns](int at, double ratio, int) { columns.response(at, 0) += ratio; });
     solve_cholesky(work.inertia, columns.response);
     columns.solution.noalias() += work.inverse_columns.lazyProduct(columns.response);
   }
@@ -79,6 +108,8 @@ void calc_loop_columns(const Subsystem<World>& subsystem, std::size_t loop,
         model, loops.states[r], [&](const LoopPlaceModel& place, const TwistOf<World>& u) {
           loops.free[r] += u.dot(work.bodies[place.body].free_acceleration(place.handle));
         });
+    if (model.is_coupling())
+      add_coupling(subsystem, data, model, work, loops.hub[r], loops.free[r]);
   }
 }
 
@@ -110,6 +141,9 @@ void fill_loop_matrix(const Subsystem<World>& subsystem, const SubsystemWork<Wor
                 sum += u.dot(respond(subsystem.loops[b], loops.states[static_cast<std::size_t>(c)],
                                      place.body, place.handle, work));
               });
+          for_efforts(subsystem.loops[a], work, [&](int at, double ratio, int) {
+            sum += ratio * work.loops[b].response(at, j);
+          });
           loops.entry(r, c) = sum;
         }
     }

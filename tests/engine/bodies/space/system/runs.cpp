@@ -58,6 +58,7 @@ Run<World>::Run(const System<World>& system, const RunSetup& setup) {
   context.system = system;
   context.formulation = setup.formulation;
   context.integrator = {setup.method, {setup.tolerance, 0, 50}};
+  context.loop_limits.duration = 1.0;
   allocate(context, setup.window > 1 ? 2 * setup.window : 1);
   RunnerOptions options;
   options.executor = setup.executor;

@@ -1,0 +1,31 @@
+#pragma once
+
+// Rules for couplings of joints.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "models/reader/spatial/fault.h"
+#include "models/spatial_model.h"
+
+namespace spoke::spatial {
+
+/// A joint that couplings may name.
+struct CouplingEnd {
+  JointKind kind = JointKind::fixed;
+  std::vector<bool> is_free{};  ///< by coordinate
+};
+
+/// Joints by their names.
+using CouplingEnds = std::map<std::string, CouplingEnd, std::less<>>;
+
+/// Returns the joints of a blade that have names.
+CouplingEnds ends_of(const Blade& blade);
+/// Returns those of a subsystem; of a support also its axles.
+CouplingEnds ends_of(const Subsystem& subsystem, const Model& model);
+
+/// Finds a fault of couplings of joints that have none.
+Fault find_fault(const std::vector<Coupling>& couplings, const CouplingEnds& ends);
+
+}  // namespace spoke::spatial

@@ -1,0 +1,133 @@
+// Couplings of joints as files have them: what is read, written again and refused.
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "models/scenario.h"
+#include "tests/contains.h"
+#include "tests/models/reader/spatial_texts.h"
+
+using namespace spoke;
+using namespace spoke::test;
+
+namespace {
+
+const std::string kGears = R"(world = "space"
+[hub.drive]
+kind = "fixed"
+[[subsystem]]
+name = "gears"
+body = [
+  { name = "a", kind = "rigid", mass = 1, inertia = 1 },
+  { name = "b", kind = "rigid", mass = 1, inertia = 1 },
+  { name = "c", kind = "rigid", mass = 1, inertia = 1 },
+]
+joint = [
+  { name = "ja", parent = "hub", child = "a", kind = "cylindrical", axis = [0, 0, 1] },
+  { name = "jb", parent = "hub", child = "b", kind = "revolute", axis = [0, 0, 1] },
+  { name = "ball", parent = "hub", child = "c", kind = "spherical" },
+]
+[[subsystem.coupling]]
+name = "screw"
+stiffness = 100.0
+damping = 2.0
+[[subsystem.coupling.joints]]
+joint = "ja"
+coordinate = 2
+ratio = 1.0
+[[subsystem.coupling.joints]]
+joint = "jb"
+ratio = -0.02
+[[sensor]]
+quantity = "coupling_force"
+subsystem = "gears"
+coupling = "screw"
+[integration]
+duration = 1.0
+)";
+
+}  // namespace
+
+TEST_CASE("a coupling is read, and written as JSON that reads the same") {
+  const Scenario scenario = parse_scenario(kGears, "f");
+  const Coupling& screw = scenario.space->subsystems[0].couplings.at(0);
+  CHECK(screw.name == "screw");
+  CHECK(screw.stiffness == 100.0);
+  CHECK(screw.damping == 2.0);
+  REQUIRE(screw.joints.size() == 2);
+  CHECK(screw.joints[0].joint == "ja");
+  CHECK(screw.joints[0].coordinate == 2);
+  CHECK(screw.joints[1].coordinate == 1);
+  CHECK(screw.joints[1].ratio == -0.02);
+  CHECK(scenario.sensors.at(0).coupling == "screw");
+  const std::string json = scenario.to_json();
+  CHECK(contains(json, "\"coupling\": \"screw\""));
+  CHECK(contains(json, "\"ratio\": -0.02"));
+}
+
+TEST_CASE("couplings that cannot be are refused") {
+  const std::string blade_sensor =
+      "[[sensor]]\nquantity = \"velocity\"\nsubsystem = \"gears\"\nbody = \"a\"\ncoupling = "
+      "\"screw\"\n[integration]";
+  check_edits(
+      kGears,
+      {
+          {"joint = \"jb\"\n", "joint = \"jc\"\n",
+           "f.toml:25:9: subsystem.1.coupling.1.joints.2.joint: is \"jc\", did you mean \"ja\"?"},
+          {"joint = \"jb\"\n", "",
+           "f.toml:24:1: subsystem.1.coupling.1.joints.2.joint: is missing, expected a name"},
+          {"joint = \"jb\"\n", "joint = \"ball\"\n",
+           "f.toml:25:9: subsystem.1.coupling.1.joints.2.joint: is \"ball\", of kind "
+           "\"spherical\", expected one whose coordinates are angles about axes, or ways"},
+          {"coordinate = 2", "coordinate = 3",
+           "f.toml:22:14: subsystem.1.coupling.1.joints.1.coordinate: is 3, expected 1 to 2, the "
+           "coordinates of joint \"ja\""},
+          {"ratio = -0.02", "ratio = 0.0",
+           "f.toml:26:9: subsystem.1.coupling.1.joints.2.ratio: is 0, expected a number other than "
+           "0"},
+          {"ratio = -0.02", "",
+           "f.toml:24:1: subsystem.1.coupling.1.joints.2.ratio: is missing, expected a number (1, "
+           "1/rad, 1/m)"},
+          {"joint = \"jb\"\n", "joint = \"ja\"\ncoordinate = 2\n",
+           "f.toml:25:9: subsystem.1.coupling.1.joints.2.joint: is the same coordinate as another "
+           "one of the coupling"},
+          {"[[subsystem.coupling.joints]]\njoint = \"jb\"\nratio = -0.02\n", "",
+           "f.toml:20:1: subsystem.1.coupling.1.joints: has 1 of the two or more coordinates that "
+           "it is to couple"},
+          {"stiffness = 100.0\n", "",
+           "f.toml:18:11: subsystem.1.coupling.1.damping: is given without stiffness, expected "
+           "both "
+           "or none"},
+          {"stiffness = 100.0", "stiffness = -1",
+           "f.toml:18:13: subsystem.1.coupling.1.stiffness: is -1, expected a number of 0 or more "
+           "(N "
+           "m/rad, N/m)"},
+          {"name = \"screw\"\n", "",
+           "f.toml:16:1: subsystem.1.coupling.1.name: is missing, expected a name"},
+          {"coupling = \"screw\"", "coupling = \"skrew\"",
+           "f.toml:30:12: sensor.1.coupling: is \"skrew\", did you mean \"screw\"?"},
+          {"coupling = \"screw\"\n", "",
+           "f.toml:27:1: sensor.1.coupling: is missing, expected the name of a coupling"},
+          {"[integration]", blade_sensor,
+           "f.toml:35:12: sensor.2.coupling: does not belong to quantity \"velocity\", expected "
+           "only "
+           "with quantity \"coupling_force\""},
+      });
+}
+
+TEST_CASE(
+    "couplings whose coordinates are all prescribed, and rigid ones at high radii, are refused") {
+  const std::string driven = "motion = { time = [0, 1], value = [0, 1] }";
+  const std::string both = edited(
+      edited(kGears, "kind = \"revolute\", axis = [0, 0, 1]",
+             "kind = \"revolute\", axis = [0, 0, 1], " + driven),
+      "kind = \"cylindrical\", axis = [0, 0, 1]",
+      "kind = \"cylindrical\", axis = [0, 0, 1], motion = [{}, { time = [0, 1], value = [0, 1] }]");
+  CHECK(contains(message_of([&both] { parse_scenario(both, "f"); }),
+                 "subsystem.1.coupling.1.joints: are all prescribed, expected one that is free"));
+  const std::string rigid = edited(edited(kGears, "stiffness = 100.0\ndamping = 2.0\n", ""),
+                                   "duration = 1.0", "duration = 1.0\nspectral_radius = 1.0");
+  CHECK(contains(message_of([&rigid] { parse_scenario(rigid, "f"); }),
+                 "expected at most 0.95 with rigid couplings"));
+}
