@@ -48,7 +48,8 @@ struct ModelSize {
   int coordinates = 0;  ///< free ones of hub and joints, and all deformations
   int joints = 0;       ///< between bodies, and to the hub
   int loops = 0;        ///< closed loops
-  int freedoms = 0;     ///< coordinates, less the rows of loops that are rigid and not redundant
+  int couplings = 0;    ///< of joints, shafts of drive trains among them
+  int freedoms = 0;     ///< coordinates, less the rows of both that are rigid and not redundant
   int graph_nodes = 0;  ///< of the step graph of one pass
   int graph_edges = 0;  ///< of the same graph
   std::size_t memory_bytes = 0;  ///< of data, constants and graph, about

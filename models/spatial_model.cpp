@@ -77,6 +77,11 @@ std::string prefix_of_rotor(const Model& model, int rotor) {
   return rotor == 0 ? "" : hub_of(model, rotor).name + '.';
 }
 
+bool is_hub_prescribed(const Model& model, int rotor) {
+  return prescribes_motion(hub_of(model, rotor).drive) &&
+         !(model.support && axle_of(model, rotor).train);
+}
+
 bool is_support(const Model& model, const Subsystem& subsystem) {
   return model.support && &subsystem == &model.subsystems.back();
 }

@@ -322,6 +322,16 @@ struct Fuselage {
   Vector angular_velocity = Vector::Zero();  ///< at t = 0, its axes [rad/s]
 };
 
+/// A shaft with torsion from the hub to a gearbox, and behind that a generator, which the drive
+/// turns in place of the hub: its speeds and torques are what they are on the hub's side of the
+/// gearbox. The carrier of the axle carries the housings of both.
+struct DriveTrain {
+  double stiffness = 0.0;          ///< of the shaft, on the hub's side [N m/rad], > 0
+  double damping = 0.0;            ///< of the shaft, likewise [N m s/rad]
+  double gear_ratio = 1.0;         ///< turns of the generator for one of the hub; not 0
+  double generator_inertia = 0.0;  ///< about the axle [kg m^2], > 0; none of the carrier's
+};
+
 /// Where the axle of the hub stands on a support.
 struct Axle {
   /// Name of the body of the support that carries it; empty: what the support stands on.
@@ -333,10 +343,16 @@ struct Axle {
   /// Place and rotation vector of the hub's frame at angle 0 in the carrier's frame, as of a joint
   /// [m, rad].
   Vector offset = Vector::Zero(), orientation = Vector::Zero();
+  /// What is between hub and drive; none: the drive turns the hub. With one the carrier is a rigid
+  /// body or the fuselage.
+  std::optional<DriveTrain> train = std::nullopt;
 };
 
 /// The name of the subsystem that is the tree of a support.
 inline constexpr std::string_view kSupportName = "support";
+
+/// The name of the generator behind a drive train and of its joint, after prefix_of_rotor().
+inline constexpr std::string_view kGeneratorName = "generator";
 
 /// What carries the axle of the hub: from the ground, or from a fuselage, a tree of bodies to the
 /// axle. The tree is the last subsystem of the model, and has the name "support"; a joint on its
@@ -468,6 +484,9 @@ SPOKE_EXPORT int count_rotors(const Model& model);
 /// Return the hub of a rotor, and on a support its axle, by its number: 0 is that of Model::hub,
 /// others are Model::rotors[number - 1].
 SPOKE_EXPORT const Hub& hub_of(const Model& model, int rotor);
+/// Returns whether a drive prescribes the rotation of the hub of a rotor: none behind a drive train
+/// does.
+SPOKE_EXPORT bool is_hub_prescribed(const Model& model, int rotor);
 SPOKE_EXPORT const Axle& axle_of(const Model& model, int rotor);
 /// Returns what comes before "hub" and "axle" in the names of a rotor's hub and axle: nothing for
 /// the first one, "tail." for one by the name "tail".

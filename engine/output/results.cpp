@@ -29,6 +29,7 @@ Json describe_model(const ModelSize& size) {
           {"coordinates", size.coordinates},
           {"joints", size.joints},
           {"loops", size.loops},
+          {"couplings", size.couplings},
           {"freedoms", size.freedoms},
           {"graph_nodes", size.graph_nodes},
           {"graph_edges", size.graph_edges},

@@ -95,7 +95,8 @@ class ModelOn final : public SimulatedModel {
         extent.coordinates += joint_coordinates(body);
     for (int c = 0; c < World::kTwist; ++c) extent.coordinates += !is_prescribed(system().hub, c);
     for (const Subsystem<World>& subsystem : system().subsystems)
-      extent.loops += static_cast<int>(subsystem.loops.size());
+      for (const LoopModel& loop : subsystem.loops)
+        ++(loop.is_coupling() ? extent.couplings : extent.loops);
     for (const SubsystemData<World>& subsystem : data().subsystems)
       extent.independent_rows += static_cast<int>(
           std::count(subsystem.loops.use.begin(), subsystem.loops.use.end(), LoopRowUse::solved));

@@ -30,6 +30,7 @@ struct ModelExtent {
   int bodies = 0;
   int coordinates = 0;       ///< of deformations and joints, and free ones of the hub
   int loops = 0;             ///< closed ones
+  int couplings = 0;         ///< of joints
   int independent_rows = 0;  ///< of loops, rigid and not redundant; known once it is allocated
 };
 

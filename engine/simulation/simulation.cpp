@@ -49,6 +49,7 @@ ModelSize Simulation::size() const {
   size.coordinates = extent.coordinates;
   size.joints = size.bodies;
   size.loops = extent.loops;
+  size.couplings = extent.couplings;
   size.freedoms = extent.coordinates - extent.independent_rows;
   size.graph_nodes = core_->runner->step_graph().node_count();
   size.graph_edges = core_->runner->step_graph().edge_count();

@@ -27,7 +27,7 @@ void require_azimuth_motion(const SystemContext<Space>& context) {
   if (!std::holds_alternative<Rk4>(context.integrator.method)) return;
   for (const Subsystem<Space>& subsystem : context.system.subsystems)
     if (follows_azimuth(subsystem) &&
-        !prescribes_motion(drive_of(context.system, std::max(subsystem.rotor, 0))))
+        !is_hub_prescribed(context.system, std::max(subsystem.rotor, 0)))
       throw InputError(
           "integration.method: is \"rk4\" where a joint's motion follows the azimuth of a hub "
           "that no drive prescribes the rotation of, expected \"generalized_alpha\"");

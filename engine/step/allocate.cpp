@@ -57,10 +57,14 @@ void set_start_of_hub(const System<Space>& system, StepData<Space>& data) {
 void set_start_of_axles(const System<Plane>&, StepData<Plane>&) {}
 void set_start_of_axles(const System<Space>& system, StepData<Space>& data) {
   for (const SupportedRotor& rotor : system.rotors) {
-    BodyData<Space>& hub = data.subsystems[static_cast<std::size_t>(rotor.subsystem)]
-                               .bodies[static_cast<std::size_t>(rotor.body)];
-    if (hub.joint.coordinates.size > 0)
-      hub.joint.coordinates.v[0] = calc_initial_speed(*hub.model->joint.course.drive);
+    auto& bodies = data.subsystems[static_cast<std::size_t>(rotor.subsystem)].bodies;
+    BodyData<Space>& driven = bodies[static_cast<std::size_t>(rotor.driven)];
+    const space::JointCourse& course = driven.model->joint.course;
+    const double speed = course.drive_ratio * calc_initial_speed(*course.drive);
+    if (driven.joint.coordinates.size > 0) driven.joint.coordinates.v[0] = speed;
+    if (rotor.driven != rotor.body)
+      bodies[static_cast<std::size_t>(rotor.body)].joint.coordinates.v[0] =
+          speed / rotor.gear_ratio;
   }
 }
 

@@ -95,7 +95,7 @@ Fault find_axle_frame_fault(const spatial::Model& model) {
     if (model.anchors[i].frame != Anchor::Frame::axle) continue;
     const std::string key = "anchor." + std::to_string(i + 1) + ".frame";
     if (!model.support) return {key, kNoSupport};
-    if (!prescribes_motion(model.hub.drive))
+    if (!spatial::is_hub_prescribed(model, 0))
       return {key,
               "is \"axle\", but no drive prescribes the hub's angle, so that its forces would turn "
               "the hub; expected a drive that does, or \"hub\""};

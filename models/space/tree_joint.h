@@ -35,8 +35,10 @@ struct RelaxingSpring {
 
 /// The course of a joint's driven components and of the forces on its coordinates.
 struct JointCourse {
-  /// Drive of the axle of a rotor on a support, which turns the joint: its only component.
+  /// Drive of a rotor on a support, which turns the joint, an axle or that of a generator: its only
+  /// component.
   std::optional<Drive> drive = std::nullopt;
+  double drive_ratio = 1.0;          ///< turns of the joint for one of the drive
   std::vector<DrivenMotion> driven;  ///< motion by driven component
   std::vector<Curve> efforts;        ///< motor by coordinate [N m, N]; none: no motors
   /// What the embedding program adds to them, by coordinate [N m, N].

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "models/system/solid_tension.h"
+#include "models/tree/drive_train.h"
 #include "models/tree/mass_properties.h"
 #include "models/tree/space_joint.h"
 
@@ -31,6 +32,7 @@ class SubsystemMaker {
         centre_(setting.centre),
         rotors_(setting.rotors),
         is_alone_(setting.is_alone),
+        base_(setting.base),
         placements_(calc_placements(tree)),
         places_(find_places(tree)),
         shared_(made) {
@@ -235,6 +237,16 @@ class SubsystemMaker {
     return handles;
   }
 
+  /// Returns a rigid body as the equations have it.
+  spatial::RigidBody rigid_body(std::size_t j) const {
+    const spatial::TreeBody& own = body(j);
+    const auto& rigid = std::get<spatial::RigidBody>(own.shape);
+    if (!own.is_generator()) return without_shares(rigid, tree_, static_cast<int>(j));
+    return with_share(own, own.parent < 0 ? base_
+                                          : std::get<spatial::RigidBody>(
+                                                body(static_cast<std::size_t>(own.parent)).shape));
+  }
+
   void add_body(std::size_t j) {
     TreeBody<Space>& made = made_.bodies[j];
     if (const spatial::FlexibleBody* part = flexible(j)) {
@@ -249,7 +261,7 @@ class SubsystemMaker {
       made.body = shared_.find_or_make_solid(*part, handles_of(j));
       return;
     }
-    const auto& rigid = std::get<spatial::RigidBody>(body(j).shape);
+    const spatial::RigidBody rigid = rigid_body(j);
     space::RigidBody shape{rigid.mass, rigid.center, rigid.inertia, {}, rigid.spin, is_hub(j)};
     for (const int c : made.children)
       shape.outboard.emplace_back(body(static_cast<std::size_t>(c)).placement.position);
@@ -285,7 +297,9 @@ class SubsystemMaker {
     if (body(j).joint.hold)
       made.joint.course.held =
           body(j).joint.name.empty() ? "that of " + body(j).name : body(j).joint.name;
-    if (is_hub(j)) made.joint.course.drive = rotor_of(j).drive;
+    if (is_alone_ || body(j).driven_by < 0) return;
+    made.joint.course.drive = rotors_[static_cast<std::size_t>(body(j).driven_by)].drive;
+    made.joint.course.drive_ratio = body(j).drive_ratio;
   }
 
   space::JointCourse make_course(const spatial::Joint& joint) const {
@@ -474,6 +488,7 @@ class SubsystemMaker {
   space::Position centre_;
   const std::vector<CarriedRotor>& rotors_;
   bool is_alone_;
+  spatial::RigidBody base_;
   /// Placements of bodies in the frame of the description's hub.
   std::vector<Placement> placements_;
   /// Places of loops by body. They have the handles behind those of its children.

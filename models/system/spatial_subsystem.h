@@ -26,6 +26,7 @@ struct SubsystemSetting {
   std::vector<CarriedRotor> rotors{};  ///< of a support, the rotors that it carries
   /// Of a support, whether its hub is an ordinary body, and its axle held.
   bool is_alone = false;
+  spatial::RigidBody base{};  ///< of a support, the fuselage that it stands on, if there is one
 };
 
 /// Makes the subsystem of a tree; equal beams and solids are shared with those made before.

@@ -14,6 +14,7 @@
 #include "models/system/shared_bodies.h"
 #include "models/system/spatial_loads.h"
 #include "models/system/spatial_subsystem.h"
+#include "models/tree/drive_train.h"
 #include "models/tree/mass_properties.h"
 #include "models/tree/tree.h"
 
@@ -43,8 +44,13 @@ space::Hub make_hub(const spatial::Hub& hub) {
   return made;
 }
 
+spatial::RigidBody body_of(const spatial::Fuselage& fuselage) {
+  return {fuselage.mass, fuselage.center, fuselage.inertia};
+}
+
 /// Returns what a support stands on, as a hub: H has the axes of the ground, or of the fuselage.
-space::Hub make_base(const spatial::Support& support, const spatial::Hub& hub) {
+space::Hub make_base(const spatial::Support& support, const spatial::Hub& hub,
+                     const spatial::Tree& tree) {
   space::Hub made;
   if (support.from == spatial::SupportBase::ground) {
     made.drive = FixedDrive{};
@@ -54,8 +60,9 @@ space::Hub make_base(const spatial::Support& support, const spatial::Hub& hub) {
   const spatial::Fuselage& fuselage = support.fuselage;
   made.support = HubSupport::free;
   made.orientation = make_quaternion(space::exponential(fuselage.attitude));
-  made.mass = fuselage.mass;
-  made.inertia = calc_mass(space::RigidBody{fuselage.mass, fuselage.center, fuselage.inertia});
+  const spatial::RigidBody body = without_shares(body_of(fuselage), tree, -1);
+  made.mass = body.mass;
+  made.inertia = calc_mass(space::RigidBody{body.mass, body.center, body.inertia});
   made.position = fuselage.position;
   made.velocity = space::make_twist(fuselage.velocity, fuselage.angular_velocity);
   return made;
@@ -226,12 +233,20 @@ void move_hub_loads(const spatial::Model& model, int rotor, TreeBody<Space>& hub
   }
 }
 
+/// Whether a coupling acts on the joint that carries a body.
+bool couples_axle(const Subsystem<Space>& support, int body) {
+  return std::any_of(support.loops.begin(), support.loops.end(), [body](const LoopModel& loop) {
+    return std::any_of(loop.coupled.begin(), loop.coupled.end(),
+                       [body](const CoupledCoordinate& at) { return at.body == body; });
+  });
+}
+
 /// Makes the support, the last of the trees, and puts the rotors on it.
 void add_support(const spatial::Model& model, const std::vector<spatial::Tree>& trees,
                  const space::Position& centre, SharedBodies& bodies, System<Space>& system) {
   const spatial::Tree& tree = trees.back();
-  system.hub = make_base(*model.support, model.hub);
-  SubsystemSetting setting{.centre = centre};
+  system.hub = make_base(*model.support, model.hub, tree);
+  SubsystemSetting setting{.centre = centre, .base = body_of(model.support->fuselage)};
   for (int r = 0; r < count_rotors(model); ++r)
     setting.rotors.push_back({calc_rotor_mass(model, trees, r, true), hub_of(model, r).drive});
   system.subsystems.push_back(
@@ -242,6 +257,10 @@ void add_support(const spatial::Model& model, const std::vector<spatial::Tree>& 
     SupportedRotor& rotor = system.rotors.emplace_back();
     rotor.subsystem = static_cast<int>(trees.size()) - 1;
     rotor.body = static_cast<int>(hub);
+    const spatial::Axle& axle = axle_of(model, r);
+    rotor.driven = static_cast<int>(axle.train ? hub - 1 : hub);  // see build_trees()
+    if (axle.train) rotor.gear_ratio = axle.train->gear_ratio;
+    rotor.is_coupled = couples_axle(system.subsystems.back(), rotor.body);
     rotor.is_moved = is_moved(system, rotor);
     rotor.prefix = prefix_of_rotor(model, r);
   }
@@ -347,15 +366,16 @@ System<Space> make_support_alone(const spatial::Model& model,
                                  ballast.inertia * spatial::Tensor::Identity()};
   hub.joint.coordinates[0].motion = spatial::MotionTable{};
   System<Space> system;
-  system.hub = make_base(*model.support, model.hub);
+  system.hub = make_base(*model.support, model.hub, tree);
   system.gravity = model.gravity;
   system.gravity_ramp = model.gravity_ramp;
   system.damping = model.damping;
   SharedBodies bodies(model.damping, control);
   const MachineCentre machine = find_machine_centre(model, trees);
-  system.subsystems.push_back(make_subsystem(tree, {.centre = machine.from_base, .is_alone = true},
-                                             make_body_loads(model, tree, trees.size() - 1),
-                                             bodies));
+  system.subsystems.push_back(make_subsystem(
+      tree,
+      {.centre = machine.from_base, .is_alone = true, .base = body_of(model.support->fuselage)},
+      make_body_loads(model, tree, trees.size() - 1), bodies));
   for (const Anchor& anchor : model.anchors)
     system.anchors.push_back(make_anchor(anchor, space::Rotation{}));
   return system;
@@ -393,8 +413,15 @@ const Drive& drive_of(const System<Space>& system, int number) {
   if (system.rotors.empty()) return system.hub.drive;
   const SupportedRotor& rotor = system.rotors[static_cast<std::size_t>(number)];
   return *system.subsystems[static_cast<std::size_t>(rotor.subsystem)]
-              .bodies[static_cast<std::size_t>(rotor.body)]
+              .bodies[static_cast<std::size_t>(rotor.driven)]
               .joint.course.drive;
+}
+
+bool is_hub_prescribed(const System<Space>& system, int number) {
+  const Drive& drive = drive_of(system, number);
+  if (system.rotors.empty()) return prescribes_motion(drive);
+  const SupportedRotor& rotor = system.rotors[static_cast<std::size_t>(number)];
+  return rotor.driven == rotor.body && prescribes_motion(drive);
 }
 
 Drive& drive_of(System<Space>& system, int number) {

@@ -43,6 +43,9 @@ std::vector<int> find_path(const System<Space>& system, const SupportedRotor& ro
 /// Returns the drive: of the hub, or of a rotor's axle on a support.
 Drive& drive_of(System<Space>& system, int rotor = 0);
 const Drive& drive_of(const System<Space>& system, int rotor = 0);
+/// Returns whether that drive prescribes the rotation of the rotor's hub: none behind a drive train
+/// does.
+bool is_hub_prescribed(const System<Space>& system, int rotor = 0);
 inline Drive& drive_of(System<Plane>& system) { return system.hub.drive; }
 inline const Drive& drive_of(const System<Plane>& system) { return system.hub.drive; }
 

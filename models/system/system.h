@@ -45,7 +45,10 @@ struct TreeBody {
 /// subsystems of its own.
 struct SupportedRotor {
   int subsystem = 0;  ///< index of the support's tree
-  int body = 0;       ///< index of the hub in it; the drive is in the joint that carries it
+  int body = 0;       ///< index of the hub in it
+  int driven = 0;     ///< index of the body whose joint the drive turns: the hub, or its generator
+  double gear_ratio = 1.0;  ///< turns of the generator for one of the hub; 1 without one
+  bool is_coupled = false;  ///< whether couplings act on its axle, as a drive train does
   /// Whether all that carries the axle moves as prescribed, so that the hub's acceleration is known
   /// in advance.
   bool is_moved = false;

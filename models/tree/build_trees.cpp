@@ -10,6 +10,7 @@
 #include "models/space/rotation_vector.h"
 #include "models/tree/beam_cuts.h"
 #include "models/tree/beam_strain.h"
+#include "models/tree/drive_train.h"
 #include "models/tree/space_beam.h"
 #include "models/tree/tree.h"
 
@@ -192,16 +193,23 @@ RigidBody make_hub_body(const Hub& hub) {
 }
 
 /// Returns the axle, about which the drive turns the hub.
-Joint make_axle(std::string name, const Axle& axle, const Drive& drive) {
+Joint make_axle(std::string name, const Axle& axle) {
   Joint joint;
   joint.name = std::move(name);
   joint.kind = JointKind::revolute;
   joint.axes[0] = Vector::UnitZ();
   joint.offset = axle.offset;
   joint.orientation = axle.orientation;
-  joint.coordinates[0].initial_speed = calc_initial_speed(drive);
-  if (prescribes_motion(drive)) joint.coordinates[0].motion = MotionTable{};  // the drive's
   return joint;
+}
+
+/// Lets the drive of a rotor turn the joint of a body.
+void drive_joint(const Drive& drive, int rotor, double ratio, TreeBody& body) {
+  body.driven_by = rotor;
+  body.drive_ratio = ratio;
+  JointCoordinate& turn = body.joint.coordinates[0];
+  turn.initial_speed = ratio * calc_initial_speed(drive);
+  if (prescribes_motion(drive)) turn.motion = MotionTable{};  // the drive's
 }
 
 /// Adds the bodies of a subsystem, each after its parent.
@@ -240,7 +248,8 @@ class SubsystemBuilder {
         const Added& added = added_.at(name);
         return std::pair(added.first, added.last);
       });
-    tree_.couplings = subsystem_.couplings;
+    tree_.couplings.insert(tree_.couplings.begin(), subsystem_.couplings.begin(),
+                           subsystem_.couplings.end());
     return std::move(tree_);
   }
 
@@ -314,11 +323,32 @@ class SubsystemBuilder {
     carried.parent = axle.body.empty() ? base_ : axle.body;
     carried.station = axle.station;
     carried.interface = axle.interface;
-    add_body(tree_, prefix + "hub", make_hub_body(hub), handle_of(carried), {},
-             make_axle(prefix + "axle", axle, hub.drive));
+    const Handle carrier = handle_of(carried);
+    if (axle.train) add_generator(rotor, prefix, carrier);
+    add_body(tree_, prefix + "hub", make_hub_body(hub), carrier, {},
+             make_axle(prefix + "axle", axle));
     TreeBody& made = tree_.bodies.back();
     made.rotor = rotor;
     made.placement = made.placement * rotor_placement(hub);
+    if (!axle.train) {
+      drive_joint(hub.drive, rotor, 1.0, made);
+      return;
+    }
+    const TreeBody& generator = tree_.bodies[tree_.bodies.size() - 2];
+    made.joint.coordinates[0].initial_speed =
+        generator.joint.coordinates[0].initial_speed / axle.train->gear_ratio;
+  }
+
+  /// Adds the generator that the drive of a rotor turns, and the shaft to its axle.
+  void add_generator(int rotor, const std::string& prefix, const Handle& carrier) {
+    const Axle& axle = axle_of(model_, rotor);
+    const Hub& hub = hub_of(model_, rotor);
+    add_body(tree_, prefix + std::string(kGeneratorName), make_generator(*axle.train), carrier, {},
+             make_axle(prefix + std::string(kGeneratorName), axle));
+    TreeBody& made = tree_.bodies.back();
+    made.placement = made.placement * rotor_placement(hub);
+    drive_joint(hub.drive, rotor, axle.train->gear_ratio, made);
+    tree_.couplings.push_back(make_shaft(*axle.train, prefix));
   }
 
   const Subsystem& subsystem_;

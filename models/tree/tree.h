@@ -41,6 +41,12 @@ struct TreeBody {
   int rotor = -1;
 
   bool is_hub() const { return rotor >= 0; }
+  /// Number of the rotor whose drive turns the joint: the axle, or that of a generator; -1: none.
+  int driven_by = -1;
+  double drive_ratio = 1.0;  ///< turns of the joint for one of the drive
+  /// Whether it is the generator of a drive train: a rigid body of no mass, whose inertia is that
+  /// about its axis, z.
+  bool is_generator() const { return driven_by >= 0 && !is_hub(); }
 };
 
 /// A place of a loop in its tree.

@@ -4,6 +4,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -81,6 +83,14 @@ std::vector<OwnLoops> find_owners(const Scenario& scenario) {
   return owners;
 }
 
+/// Returns those of a blade or subsystem. Precondition: it has loops or couplings.
+const SubsystemFreedoms& find_freedoms(const LoopsAtStart& start, const std::string& name) {
+  const auto at = std::find_if(start.subsystems.begin(), start.subsystems.end(),
+                               [&name](const SubsystemFreedoms& own) { return own.name == name; });
+  assert(at != start.subsystems.end());
+  return *at;
+}
+
 std::string describe(const SubsystemFreedoms& own) {
   std::string text = counted(own.joints, "free joint coordinate");
   if (own.deformations > 0) text += " and " + std::to_string(own.deformations) + " of deformation";
@@ -136,7 +146,7 @@ void print_loops(const Simulation& simulation) {
     for (const Loop& loop : *owners[k].loops) own.push_back(describe(loop, "the blade", in_plane));
     if (owners[k].couplings)
       for (const Coupling& coupling : *owners[k].couplings) own.push_back(describe(coupling));
-    own.push_back(describe(start.subsystems[k]));
+    own.push_back(describe(find_freedoms(start, owners[k].name)));
     if (own == before) {
       lines.push_back(owners[k].name + ": as " + example);
       continue;

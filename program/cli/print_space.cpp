@@ -121,7 +121,10 @@ Part describe_solid(const std::string& name, const spatial::SolidPart& solid) {
 Part describe_part(const Tree& tree, std::size_t first) {
   const TreeBody& body = tree.bodies[first];
   if (const auto* rigid = std::get_if<spatial::RigidBody>(&body.shape))
-    return {1, fmt::format("{} (rigid, {} kg)", body.name, number(rigid->mass))};
+    return {1, body.is_generator()
+                   ? fmt::format("{} ({} kg m^2, {} turns for one of the hub)", body.name,
+                                 number(rigid->inertia(2, 2)), number(body.drive_ratio))
+                   : fmt::format("{} (rigid, {} kg)", body.name, number(rigid->mass))};
   if (const auto* solid = std::get_if<spatial::SolidPart>(&body.shape))
     return describe_solid(body.name, *solid);
   const auto& innermost = std::get<spatial::FlexibleBody>(body.shape);

@@ -28,12 +28,13 @@ void print_title(const std::string& title) { print(one_line(title) + '\n'); }
 void print_model(const Simulation& simulation) {
   const ModelSize size = simulation.size();
   print_title(simulation.scenario().title);
-  print_line("model", counted(size.subsystems, "subsystem") + ", " + counted(size.bodies, "body") +
-                          ", " + counted(size.coordinates, "coordinate") + ", " +
-                          counted(size.joints, "joint") +
-                          (size.loops == 0 ? ""
-                                           : ", " + counted(size.loops, "loop") + ", " +
-                                                 counted(size.freedoms, "freedom")));
+  std::string text = counted(size.subsystems, "subsystem") + ", " + counted(size.bodies, "body") +
+                     ", " + counted(size.coordinates, "coordinate") + ", " +
+                     counted(size.joints, "joint");
+  if (size.loops > 0) text += ", " + counted(size.loops, "loop");
+  if (size.couplings > 0) text += ", " + counted(size.couplings, "coupling");
+  if (size.loops + size.couplings > 0) text += ", " + counted(size.freedoms, "freedom");
+  print_line("model", text);
   print_line("step graph",
              counted(size.graph_nodes, "node") + ", " + counted(size.graph_edges, "edge"));
 }

@@ -126,10 +126,11 @@ std::string describe_hub(const Scenario& scenario) {
   return scenario.rotor.hub.support == HubSupport::free ? "free in the plane" : "on an axle";
 }
 
-/// Adds the closed loops, if there are any.
+/// Adds closed loops and couplings of joints, if there are any.
 report::FactGroup with_loops(const ModelSize& size, report::FactGroup group) {
-  if (size.loops == 0) return group;
-  group.facts.push_back({"closed loops", std::to_string(size.loops)});
+  if (size.loops + size.couplings == 0) return group;
+  if (size.loops > 0) group.facts.push_back({"closed loops", std::to_string(size.loops)});
+  if (size.couplings > 0) group.facts.push_back({"couplings", std::to_string(size.couplings)});
   group.facts.push_back({"freedoms", std::to_string(size.freedoms)});
   return group;
 }

@@ -420,7 +420,7 @@ def coupled_joint(*, joint, ratio, coordinate=None):
     """A coordinate of a joint in a coupling.
 
     joint: name of a joint of the blade or subsystem, free or prescribed; of a support also "axle",
-        and "<name>.axle" of a rotor that has a name
+        and "tail.axle" of a further rotor by the name "tail"
     coordinate: number of its coordinate
     ratio: its factor in the sum; in all tables of a coupling of the same unit times coordinate [1,
         1/rad, 1/m]
@@ -618,7 +618,8 @@ def rotor(*, name, hub, axle=None, blade=None, blades=None):
     return _given(locals())
 
 
-def axle(*, body=None, station=None, node=None, interface=None, offset=None, orientation=None):
+def axle(*, body=None, station=None, node=None, interface=None, offset=None, orientation=None,
+         stiffness=None, damping=None, gear_ratio=None, generator_inertia=None):
     """Where a support carries the hub.
 
     body: name of the body that carries the axle; a fuselage is named "fuselage"
@@ -627,6 +628,11 @@ def axle(*, body=None, station=None, node=None, interface=None, offset=None, ori
     interface: the place on a solid: name of one of its interfaces
     offset: of the hub's frame in that of the carrier at this place [m]
     orientation: rotation vector of the hub's frame, at a hub angle of 0, in the same frame [rad]
+    stiffness: of the shaft between hub and gearbox, on the hub's side; this and the keys below
+        belong to a drive train [N m/rad]
+    damping: of the shaft, likewise [N m s/rad]
+    gear_ratio: turns of the generator for one of the hub, less than 0 if it turns the other way
+    generator_inertia: of what turns behind the gearbox, about its axis, at its own speed [kg m^2]
     """
     return _given(locals())
 

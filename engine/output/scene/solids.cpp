@@ -41,6 +41,12 @@ int find_odd(const Vector& moments) {
 
 }  // namespace
 
+Solid make_disc(double inertia) {
+  constexpr double kSteel = 7850.0;  // [kg/m^3]
+  const double radius = std::pow(2.0 * inertia / (kSteel * std::numbers::pi), 0.2);
+  return make_cylinder(Vector::UnitZ(), radius, 0.5 * radius);
+}
+
 Solid make_body(const Vector& center, double mass, const spatial::Tensor& inertia) {
   const Eigen::SelfAdjointEigenSolver<spatial::Tensor> principal(inertia);
   const Vector moments = principal.eigenvalues();

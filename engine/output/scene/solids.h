@@ -6,6 +6,9 @@
 
 namespace spoke::scene {
 
+/// Returns a disc of steel about z, as thick as its radius, by its moment of inertia [kg m^2].
+Solid make_disc(double inertia);
+
 /// Makes the box with this mass and inertia [kg, kg m^2] about its centre, its axes the principal
 /// ones; the cylinder if two principal moments are equal.
 Solid make_body(const Vector& center, double mass, const spatial::Tensor& inertia);

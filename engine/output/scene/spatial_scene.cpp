@@ -300,7 +300,8 @@ class SubsystemScene {
       scene_.hubs[static_cast<std::size_t>(tree_.bodies[j].rotor)].node = node;
       return;
     }
-    Solid solid = make_body(body.center, body.mass, body.inertia);
+    Solid solid = tree_.bodies[j].is_generator() ? make_disc(body.inertia(2, 2))
+                                                 : make_body(body.center, body.mass, body.inertia);
     solid.name = name_of(j);
     solid.subsystem = number_;
     solid.node = node;

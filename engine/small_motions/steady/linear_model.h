@@ -54,11 +54,14 @@ struct LinearSupport {
   /// By it z moves the hub, x = J z, along the axes that the hub has at azimuth zero but which
   /// stand.
   Eigen::MatrixXd J{};
-  Eigen::MatrixXd M{}, C{}, K{};     ///< of the support alone, on which the steady wrench acts
-  Eigen::MatrixXd rotor_mass{};      ///< of the rotor as a rigid body, along the hub's axes
-  Eigen::MatrixXd base{};            ///< by which z moves the base, a twist
-  Eigen::MatrixXd motion{};          ///< by which z moves all coordinates of the support
-  Eigen::VectorXd step{};            ///< by which each of z was moved [m, rad]
+  Eigen::MatrixXd M{}, C{}, K{};  ///< of the support alone, on which the steady wrench acts
+  Eigen::MatrixXd rotor_mass{};   ///< of the rotor as a rigid body, along the hub's axes
+  Eigen::MatrixXd base{};         ///< by which z moves the base, a twist
+  Eigen::MatrixXd motion{};       ///< by which z moves all coordinates of the support
+  Eigen::VectorXd step{};         ///< by which each of z was moved [m, rad]
+  /// Along which the torque of a drive acts, that of the axle or of its generator; zero if a drive
+  /// prescribes the motion.
+  Eigen::VectorXd drive{};
   std::vector<std::string> of{};     ///< by entry of z: the body, or the joint, that it moves
   std::vector<std::string> names{};  ///< of the entries: "support / tower / node 3 / w"
   std::vector<bool> turns{};         ///< by entry: whether it is an angle

@@ -2,6 +2,7 @@
 
 #include "engine/small_motions/steady/linear_support.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -78,16 +79,48 @@ void set_motions(const Layout& z, const LinearModel& linear, SteadyModel& model,
   if (z.has_axle()) support.J(5, z.all - 1) = 1.0;
 }
 
+/// Returns how z moves a generator, whose joint is there if no drive prescribes its motion.
+Eigen::VectorXd find_generator(const SteadyModel& model, const LinearSupport& support) {
+  const std::vector<SubsystemCoordinate>& all = model.coordinates(0);
+  const auto at = std::find_if(all.begin(), all.end(), [](const SubsystemCoordinate& coordinate) {
+    return coordinate.joint == spatial::kGeneratorName;
+  });
+  if (at == all.end()) return Eigen::VectorXd::Zero(support.motion.cols());
+  return support.motion.row(at - all.begin()).transpose();
+}
+
+/// Adds the shaft of a drive train, and lets the drive act on its generator. The support has the
+/// shaft at rest at the hub: k/2 q^2/n^2 of the generator's angle q, in place of k/2 (psi - q/n)^2.
+void add_shaft(const spatial::DriveTrain& train, const SteadyModel& model, LinearSupport& support) {
+  const Eigen::VectorXd generator = find_generator(model, support) / train.gear_ratio;
+  const Eigen::VectorXd axle = Eigen::VectorXd::Unit(generator.size(), generator.size() - 1);
+  const Eigen::VectorXd turn = axle - generator;
+  const MatrixXd missing = turn * turn.transpose() - generator * generator.transpose();
+  support.K += train.stiffness * missing;
+  support.C += train.damping * missing;
+  support.drive = generator;
+}
+
 /// Adds the angle of a rotor that turns freely about its axle. A torque of slope `slope` acts
-/// between hub and carrier, so that it does work on that angle alone. The rotor's moment on its hub
-/// stands while the axle tilts.
-void add_axle(const Layout& z, const Eigen::Vector3d& moment, double slope,
+/// between hub, or generator, and carrier, so that it does work on that angle alone. The rotor's
+/// moment on its hub stands while the axle tilts.
+void add_axle(const Layout& z, const Eigen::Vector3d& moment, const SupportedModel& model,
               LinearSupport& support) {
+  support.drive = Eigen::VectorXd::Zero(z.all);
   if (!z.has_axle()) return;
   const Index axle = z.all - 1;
-  support.C(axle, axle) -= slope;
+  support.drive[axle] = 1.0;
+  if (const auto& train = model.parts().train) add_shaft(*train, model.support(), support);
+  support.C -= model.parts().torque_slope * support.drive * support.drive.transpose();
   const Eigen::Vector3d tilting(-moment.y(), moment.x(), 0.0);  // axis x moment
   support.K.row(axle) -= tilting.transpose() * support.J.bottomRows(3);
+}
+
+/// Takes off the mass of what stands for the hub on the support, whose axle is held there.
+void remove_ballast(const Layout& z, const MatrixXd& ballast, LinearSupport& support) {
+  MatrixXd J = support.J;
+  if (z.has_axle()) J.col(z.all - 1).setZero();
+  support.M -= J.transpose() * ballast * J;
 }
 
 void name_entries(const Layout& z, const LinearModel& linear, const SteadyModel& model,
@@ -127,9 +160,9 @@ LinearModel linearize_on(SupportedModel& model, const Equilibrium& equilibrium) 
   support.rotor_mass = rotor.M;
   set_matrices(z, own, support);
   set_motions(z, own, model.support(), support);
-  support.M -= support.J.transpose() * model.parts().ballast * support.J;
+  remove_ballast(z, model.parts().ballast, support);
   support.K += support.J.transpose() * calc_dead_stiffness(parts.rotor, model) * support.J;
-  add_axle(z, -equilibrium.wrench.tail<3>(), model.parts().torque_slope, support);
+  add_axle(z, -equilibrium.wrench.tail<3>(), model, support);
   name_entries(z, own, model.support(), support);
   add_subsystem(support, rotor);
   rotor.support = std::move(support);

@@ -52,6 +52,16 @@ Ballast choose_ballast(const spatial::Hub& hub, const std::vector<spatial::Tree>
   return ballast;
 }
 
+/// Lets the generators of a support spin, which stand in the tree, as a rotor of this speed turns
+/// them.
+void spin_generators(double speed, spatial::Tree& support) {
+  for (spatial::TreeBody& body : support.bodies) {
+    if (!body.is_generator()) continue;
+    auto& generator = std::get<spatial::RigidBody>(body.shape);
+    generator.spin.z() = generator.inertia(2, 2) * body.drive_ratio * speed;
+  }
+}
+
 std::shared_ptr<const Machine> make_machine(const spatial::Model& model,
                                             const SteadyOptions& options) {
   auto made = std::make_shared<Machine>();
@@ -59,6 +69,7 @@ std::shared_ptr<const Machine> make_machine(const spatial::Model& model,
   made->support_tree = {trees.back()};
   made->rotor_trees.assign(trees.begin(), trees.end() - 1);
   made->ballast = choose_ballast(model.hub, made->rotor_trees);
+  spin_generators(options.speed, trees.back());
   const solid::Control control{{}, available_memory()};
   made->support = make_support_alone(model, trees, made->ballast, control);
   hold_mount(made->support.hub, options.instant);
@@ -153,9 +164,10 @@ std::unique_ptr<SteadyModel> make_supported(const Scenario& scenario,
   parts.ballast = mass_of(machine->ballast);
   parts.averages = options.speed != 0.0 || options.is_axial;
   const Drive& drive = model.hub.drive;
-  parts.turns_freely = !prescribes_motion(drive);
+  parts.train = model.support->axle.train;
+  parts.turns_freely = !is_hub_prescribed(model, 0);
   parts.has_torque = parts.turns_freely && !std::holds_alternative<FreeDrive>(drive);
-  if (parts.has_torque) parts.torque_slope = find_torque_slope(drive, options.speed);
+  if (!prescribes_motion(drive)) parts.torque_slope = find_torque_slope(drive, options.speed);
   return std::make_unique<SupportedModel>(std::move(parts), options.speed);
 }
 

@@ -14,6 +14,19 @@ namespace spoke::steady {
 
 namespace {
 
+/// Twists the shaft of a drive train by the moment of the rotor [N m]: a generator that no drive
+/// holds is turned back, else the axle, the last coordinate, ahead.
+void twist_shaft(const spatial::DriveTrain& train, double moment,
+                 const std::vector<SubsystemCoordinate>& coordinates, Eigen::VectorXd& support) {
+  const double twist = moment / train.stiffness;
+  for (std::size_t k = 0; k < coordinates.size(); ++k)
+    if (coordinates[k].joint == spatial::kGeneratorName) {
+      support[static_cast<Eigen::Index>(k)] -= train.gear_ratio * twist;
+      return;
+    }
+  support[support.size() - 1] += twist;
+}
+
 std::vector<Eigen::VectorXd> solve_start(const Scenario& scenario) {
   const std::unique_ptr<SteadyModel> model =
       make_steady_model(scenario, {start_speed(scenario), Instant::start});
@@ -28,6 +41,9 @@ std::vector<Eigen::VectorXd> solve_start(const Scenario& scenario) {
     Eigen::VectorXd& support = q.back();
     support.conservativeResize(support.size() + 1);
     support[support.size() - 1] = 0.0;
+    if (machine->parts().train)
+      twist_shaft(*machine->parts().train, -found.wrench[5], model->coordinates(q.size() - 1),
+                  support);
   }
   return q;
 }

@@ -5,11 +5,13 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "engine/small_motions/steady/find_equilibrium.h"
 #include "engine/small_motions/steady/steady_model.h"
+#include "models/spatial_model.h"
 
 namespace spoke::steady {
 
@@ -33,6 +35,7 @@ struct SupportedParts {
   bool turns_freely = false;  ///< whether the angle about the axle is a coordinate
   bool has_torque = false;    ///< whether a torque that gives what is needed acts there
   double torque_slope = 0.0;  ///< of the drive's torque by the speed [N m s/rad]
+  std::optional<spatial::DriveTrain> train{};  ///< between hub and drive, if there is one
 };
 
 class SupportedModel final : public SteadyModel {

@@ -188,7 +188,10 @@ void MultiBladeAssembly::add_hub_inputs() {
     force.head(hub_size()) = motion_.row(c).transpose();
     add_input(name_hub_effort(c, all_.model), force);
   }
-  if (has_axle()) add_input({"axle / torque", "N m"}, VectorXd::Unit(size_, hub_size() - 1));
+  if (!has_axle() || support()->drive.isZero(0.0)) return;
+  VectorXd torque = VectorXd::Zero(size_);
+  torque.head(hub_size()) = support()->drive;
+  add_input({"axle / torque", "N m"}, torque);
 }
 
 /// Returns the numbers of a group's coordinates among all: the hub's first.

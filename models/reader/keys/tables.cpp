@@ -92,7 +92,8 @@ void add_trees(std::vector<Table>& all) {
                   {"fuselages", kFuselageRows, kConditional},
                   tree,
                   {"[support]", kSupportAxleRows}}});
-  all.push_back({"support.axle", {{"[support.axle]", kAxleRows}}});
+  all.push_back(
+      {"support.axle", {{"[support.axle]", kAxleRows}, {"drive trains", kDriveTrainRows}}});
   all.push_back({"rotor", {{"[[rotor]]", kRotorRows}}});
   all.push_back({"subsystem.body.material", {{"materials", kMaterialRows}}});
   all.push_back({"subsystem.body.scale", {{"scales", kScaleRows}}});

@@ -91,7 +91,7 @@ inline constexpr std::array kCouplingRows{
 inline constexpr std::array kCoupledJointRows{
     by_hand("joint", kText,
             "name of a joint of the blade or subsystem, free or prescribed; of a support also "
-            "`\"axle\"`, and `\"<name>.axle\"` of a rotor that has a name")
+            "`\"axle\"`, and `\"tail.axle\"` of a further rotor by the name `\"tail\"`")
         .required(),
     by_hand("coordinate", kWhole, "number of its coordinate").from("1").within("from 1"),
     number<&CoupledJoint::ratio>(
@@ -158,5 +158,24 @@ inline constexpr std::array kAxleRows{
     vector<&spatial::Axle::orientation>(
         "orientation", spatial::kAngle,
         "rotation vector of the hub's frame, at a hub angle of 0, in the same frame")};
+
+inline constexpr std::array kDriveTrainRows{
+    number<&spatial::DriveTrain::stiffness>(
+        "stiffness", Quantity::not_negative("N m/rad"),
+        "of the shaft between hub and gearbox, on the hub's side; this and the keys below belong "
+        "to a [drive train](#supportaxle-drive-trains)")
+        .from("none: the drive turns the hub")
+        .within("greater than 0"),
+    number<&spatial::DriveTrain::damping>("damping", Quantity::not_negative("N m s/rad"),
+                                          "of the shaft, likewise"),
+    number<&spatial::DriveTrain::gear_ratio>(
+        "gear_ratio", Quantity::any(""),
+        "turns of the generator for one of the hub, less than 0 if it turns the other way")
+        .within("not 0"),
+    number<&spatial::DriveTrain::generator_inertia>(
+        "generator_inertia", Quantity::not_negative("kg m^2"),
+        "of what turns behind the gearbox, about its axis, at its own speed")
+        .from("required with `stiffness`")
+        .within("greater than 0")};
 
 }  // namespace spoke::keys

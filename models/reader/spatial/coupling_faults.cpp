@@ -84,7 +84,7 @@ CouplingEnds ends_of(const Subsystem& subsystem, const Model& model) {
   for (int r = 0; is_support && r < count_rotors(model); ++r) {
     CouplingEnd& axle = ends[prefix_of_rotor(model, r) + "axle"];
     axle.kind = JointKind::revolute;
-    axle.is_free = {!prescribes_motion(hub_of(model, r).drive)};
+    axle.is_free = {!is_hub_prescribed(model, r)};
   }
   return ends;
 }

@@ -142,6 +142,7 @@ Json to_json(const Axle& axle, SupportBase from) {
   if (axle.station) json.set("station", *axle.station);
   if (!axle.interface.empty()) json.set("interface", axle.interface);
   visit_fields(axle, FieldWriter{json});
+  if (axle.train) visit_fields(*axle.train, FieldWriter{json});
   return json;
 }
 

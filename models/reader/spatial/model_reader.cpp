@@ -104,7 +104,8 @@ void read_trees(const TomlSection& root, const std::vector<TomlSection>& rotors,
   for (std::size_t r = 1; r < rotors.size(); ++r)
     model.rotors[r - 1].axle = read_axle(rotors[r], model.subsystems.back(), model.support->from);
   if (const Fault fault = find_carried_fault(model))
-    (rotors.empty() ? root : rotors.front()).fail_at(fault.path, fault.text);
+    (rotors.empty() || fault.path.starts_with(kSupportName) ? root : rotors.front())
+        .fail_at(fault.path, fault.text);
   if (const Fault fault = find_rotors_fault(model)) root.fail_at(fault.path, fault.text);
 }
 

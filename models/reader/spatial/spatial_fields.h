@@ -43,6 +43,7 @@ inline keys::Rows rows_of(const RigidBody&) { return keys::kRigidBodyRows; }
 inline keys::Rows rows_of(const Suspension&) { return keys::kSuspensionRows; }
 inline keys::Rows rows_of(const Fuselage&) { return keys::kFuselageRows; }
 inline keys::Rows rows_of(const Axle&) { return keys::kAxleRows; }
+inline keys::Rows rows_of(const DriveTrain&) { return keys::kDriveTrainRows; }
 inline keys::Rows rows_of(const SolidMaterial&) { return keys::kMaterialRows; }
 inline keys::Rows rows_of(const PlaneNodes&) { return keys::kPlaneNodesRows; }
 inline keys::Rows rows_of(const CylinderNodes&) { return keys::kCylinderNodesRows; }

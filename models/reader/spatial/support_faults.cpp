@@ -72,19 +72,59 @@ Fault find_hub_fault(const Model& model, int rotor) {
   return {};
 }
 
-/// Finds a body or joint of a support that has the name of the hub or axle of a rotor.
-Fault find_taken_name(const Model& model, int rotor) {
+/// A name that a rotor gives to a part of its support.
+struct TakenName {
+  std::string list, name, what;  ///< "body", "tail.hub", "hub"
+};
+
+std::vector<TakenName> names_of_rotor(const Model& model, int rotor) {
   const std::string prefix = prefix_of_rotor(model, rotor);
+  std::vector<TakenName> names{{"body", prefix + "hub", "hub"}, {"joint", prefix + "axle", "axle"}};
+  if (!axle_of(model, rotor).train) return names;
+  const std::string generator(kGeneratorName);
+  names.push_back({"body", prefix + generator, generator});
+  names.push_back({"joint", prefix + generator, generator});
+  names.push_back({"coupling", prefix + "shaft", "shaft"});
+  return names;
+}
+
+/// Finds a body, joint or coupling of a support that has the name of a part of a rotor.
+Fault find_taken_name(const Model& model, int rotor) {
   const Subsystem& tree = model.subsystems.back();
-  for (std::size_t i = 0; i < tree.bodies.size(); ++i)
-    if (tree.bodies[i].name == prefix + "hub")
-      return {"support.body." + std::to_string(i + 1) + ".name",
-              "is \"" + prefix + "hub\", which is the hub of a rotor; expected another name"};
-  for (std::size_t i = 0; i < tree.joints.size(); ++i)
-    if (tree.joints[i].joint.name == prefix + "axle")
-      return {"support.joint." + std::to_string(i + 1) + ".name",
-              "is \"" + prefix + "axle\", which is the axle of a rotor; expected another name"};
+  for (const TakenName& taken : names_of_rotor(model, rotor)) {
+    const auto find = [&taken](const auto& list, const auto& name_of) -> Fault {
+      for (std::size_t i = 0; i < list.size(); ++i)
+        if (name_of(list[i]) == taken.name)
+          return {"support." + taken.list + "." + std::to_string(i + 1) + ".name",
+                  "is \"" + taken.name + "\", which is the " + taken.what +
+                      " of a rotor; expected another name"};
+      return {};
+    };
+    const auto own_name = [](const auto& item) { return item.name; };
+    Fault fault = taken.list == "body" ? find(tree.bodies, own_name)
+                  : taken.list == "joint"
+                      ? find(tree.joints, [](const SubsystemJoint& at) { return at.joint.name; })
+                      : find(tree.couplings, own_name);
+    if (fault) return fault;
+  }
   return {};
+}
+
+/// Finds a fault of a drive train. `carrier`: of the axle; null: the fuselage.
+Fault find_train_fault(const DriveTrain& train, const Body* carrier) {
+  if (carrier && !std::holds_alternative<RigidBody>(carrier->shape))
+    return {"body", "is \"" + carrier->name +
+                        "\", which bends, expected a rigid body, as a nacelle, for the housing of "
+                        "the drive train"};
+  const FirstFault first;
+  if (train.stiffness == 0.0)
+    first.add({"stiffness", "is missing, expected that of the shaft of the drive train (N m/rad)"});
+  if (train.generator_inertia == 0.0)
+    first.add(
+        {"generator_inertia", "is missing, expected that of the drive train's generator (kg m^2)"});
+  visit_fields(train, first);
+  if (train.gear_ratio == 0.0) first.add({"gear_ratio", "is 0, expected a number other than 0"});
+  return first.found();
 }
 
 }  // namespace
@@ -103,6 +143,7 @@ Fault find_axle_fault(const Axle& axle, const Support& support, const Subsystem&
   if (!axle.body.empty() && !carrier) first.add({"body", describe_unknown(axle.body, names)});
   if (!first.found()) first.add(find_place_fault(carrier, axle.station, axle.interface));
   visit_fields(axle, first);
+  if (axle.train) first.add(find_train_fault(*axle.train, carrier));
   return first.found();
 }
 
@@ -139,7 +180,10 @@ Fault find_fault(const Support& support, const Subsystem& tree) {
   return first.found();
 }
 
-Fault find_carried_fault(const Model& model) { return find_hub_fault(model, 0).within("hub"); }
+Fault find_carried_fault(const Model& model) {
+  if (Fault fault = find_hub_fault(model, 0).within("hub")) return fault;
+  return find_taken_name(model, 0);
+}
 
 Fault find_rotors_fault(const Model& model) {
   if (model.rotors.empty()) return {};

@@ -22,7 +22,8 @@ void read_directions(const TomlSection& section, std::string_view key, std::stri
 }  // namespace
 
 Axle read_axle(const TomlSection& owner, const Subsystem& tree, SupportBase from) {
-  const TomlSection section = owner.section("axle", keys::keys_of(keys::kAxleRows));
+  const TomlSection section =
+      owner.section("axle", keys::keys_of(keys::kAxleRows, keys::kDriveTrainRows));
   Axle axle;
   axle.body = section.text("body", "");
   if (!section.has("body") && !tree.bodies.empty())
@@ -30,6 +31,10 @@ Axle read_axle(const TomlSection& owner, const Subsystem& tree, SupportBase from
   axle.station = read_station(section, tree, axle.body);
   axle.interface = section.text("interface", "");
   keys::read(section, keys::kAxleRows, &axle);
+  const TomlSection::Keys of_train = keys::keys_of(keys::kDriveTrainRows);
+  if (std::any_of(of_train.begin(), of_train.end(),
+                  [&section](std::string_view key) { return section.has(key); }))
+    keys::read(section, keys::kDriveTrainRows, &axle.train.emplace());
   if (from == SupportBase::free && axle.body == base_name(from)) axle.body.clear();
   return axle;
 }

@@ -47,6 +47,11 @@ std::vector<ZooModel> list_zoo() {
        [](Scenario& s) {
          for (Blade& blade : s.rotor.blades) blade.strain = BeamStrain::nonlinear;
        }},
+      {"nrel_5mw_turbine, with a drive train", "nrel_5mw_turbine",
+       [](Scenario& s) {
+         s.space->hub.inertia = 115926.0 * spatial::Tensor::Identity();
+         s.space->support->axle.train = spatial::DriveTrain{867.637e6, 6.215e6, 97.0, 534.116};
+       }},
       {"solid_blade_rotor, nodal", "solid_blade_rotor", make_nodal},
       {"tree_of_bodies, relaxing", "tree_of_bodies", make_relaxing},
       {"tree_of_bodies, with a spin", "tree_of_bodies",

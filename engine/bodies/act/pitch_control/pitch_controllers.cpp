@@ -59,7 +59,7 @@ void PitchControllers::append_values(ColumnPlace place, std::int64_t /*step*/,
 /// Returns the part in which the speed of a hub is that a drive does not prescribe.
 PartList PitchControllers::speed_inputs(int i) const {
   const int r = system_.subsystems[static_cast<std::size_t>(i)].rotor;
-  if (prescribes_motion(drive_of(system_, std::max(r, 0)))) return {};
+  if (is_hub_prescribed(system_, std::max(r, 0))) return {};
   if (r < 0) return {data_.parts.hub_coordinates};
   const SupportedRotor& rotor = system_.rotors[static_cast<std::size_t>(r)];
   return {data_.subsystems[static_cast<std::size_t>(rotor.subsystem)]
@@ -71,8 +71,8 @@ PartList PitchControllers::speed_inputs(int i) const {
 /// nodes of the next step: against what carries the axle [rad/s].
 double PitchControllers::hub_speed(std::size_t i, double t) const {
   const int r = system_.subsystems[i].rotor;
-  const Drive& drive = drive_of(system_, std::max(r, 0));
-  if (prescribes_motion(drive)) return calc_motion(drive, t).speed;
+  if (is_hub_prescribed(system_, std::max(r, 0)))
+    return calc_motion(drive_of(system_, std::max(r, 0)), t).speed;
   if (r < 0) return data_.hub_coordinates.v[Space::kAxial];
   const SupportedRotor& rotor = system_.rotors[static_cast<std::size_t>(r)];
   return data_.subsystems[static_cast<std::size_t>(rotor.subsystem)]

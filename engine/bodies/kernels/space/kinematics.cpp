@@ -144,7 +144,9 @@ void prescribe_joints(const System<Space>& system, double t, std::size_t i,
     const space::JointCourse& course = subsystem.bodies[j].joint.course;
     if (course.drive && !course.driven.empty()) {
       const DriveMotion turn = calc_motion(*course.drive, t);
-      data.subsystems[i].bodies[j].joint.driven[0] = {turn.angle, turn.speed, turn.acceleration};
+      const double ratio = course.drive_ratio;
+      data.subsystems[i].bodies[j].joint.driven[0] = {ratio * turn.angle, ratio * turn.speed,
+                                                      ratio * turn.acceleration};
       continue;
     }
     PrescribedMotion* const driven = data.subsystems[i].bodies[j].joint.driven;

@@ -152,7 +152,8 @@ void record_rotors(const System<Space>& system, double t, std::int64_t step,
     made.reaction = support.wrenches[j].inboard + sum_beside_axle(system, r, t, data);
     made.applied_torque = 0.0;
     const Drive& drive = drive_of(system, static_cast<int>(r));
-    if (prescribes_motion(drive)) continue;
+    // With a coupling the wrench has all that turns the hub.
+    if (prescribes_motion(drive) || model.is_coupled) continue;
     made.reaction[Space::kAxial] = 0.0;
     made.applied_torque =
         calc_torque(drive, t, rotor.turn.speed) + support.bodies[j].model->joint.course.added[0];

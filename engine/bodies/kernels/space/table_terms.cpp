@@ -21,7 +21,10 @@ void add_joint_forces(double t, const space::ImplicitShares& shares, BodyData<Sp
   if (n == 0) return;
   const space::JointState state = joint_state_of(body);
   std::array<double, space::Joint::kMost> motor = calc_motors(model, t);
-  if (model.course.drive) motor[0] += calc_torque(*model.course.drive, t, state.v[0]);
+  if (model.course.drive) {
+    const double ratio = model.course.drive_ratio;
+    motor[0] += calc_torque(*model.course.drive, t, state.v[0] / ratio) / ratio;
+  }
   calc_joint_forces(model.joint, state, shares, body.joint.coordinates.a, motor.data(),
                     *body.joint.forces);
   for (int c = 0; c < n; ++c)
