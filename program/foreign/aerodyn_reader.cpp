@@ -32,20 +32,6 @@ int read_switch(KeyedLines& reader, const char* key, int least, int most, int mi
   return reader.count(key, least, most);
 }
 
-/// Whether a flag is there and false.
-bool is_off(KeyedLines& reader, const char* key) {
-  if (!reader.has(key)) return false;
-  const std::string flag = reader.text(key);
-  const auto is_one_of = [&](std::initializer_list<const char*> words) {
-    return std::any_of(words.begin(), words.end(),
-                       [&](const char* word) { return is_same_word(flag, word); });
-  };
-  if (is_one_of({"False", "F", ".false."})) return true;
-  if (is_one_of({"True", "T", ".true.", "default"})) return false;
-  reader.lines().refuse(std::string(key) + " is \"" + printable(flag) +
-                        "\", expected True or False");
-}
-
 /// What models of the wake and of unsteady sections become.
 void read_models(KeyedLines& reader, FoundModel& model) {
   FoundAir& air = *model.air;
@@ -84,7 +70,7 @@ void note_theory(KeyedLines& reader, FoundModel& model) {
       "the skewed wake, direction of the sections (BlCrvAng), which is that of the blade's axis, "
       "and outputs; blade 1 stands for all");
   for (const char* key : {"TipLoss", "HubLoss", "TanInd"})
-    if (is_off(reader, key))
+    if (reader.is_off(key))
       model.left_out.push_back(std::string(key) + " False, " + reader.lines().place() +
                                ": the scenario's momentum theory has losses at tip and root, and "
                                "swirl");
@@ -154,7 +140,7 @@ AeroDynPrimary read_aerodyn_primary(const SourceFile& source, FoundModel& model)
   check_column(reader, "InCol_Alfa", 1);
   check_column(reader, "InCol_Cl", 2);
   check_column(reader, "InCol_Cd", 3);
-  primary.has_moment = read_switch(reader, "InCol_Cm", 0, 100, 4) > 0 && !is_off(reader, "UseBlCm");
+  primary.has_moment = read_switch(reader, "InCol_Cm", 0, 100, 4) > 0 && !reader.is_off("UseBlCm");
   if (primary.has_moment) check_column(reader, "InCol_Cm", 4);
   primary.airfoils = read_airfoil_names(reader);
   primary.blade = reader.file("ADBlFile(1)", "ADBlFile1");

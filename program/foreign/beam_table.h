@@ -51,6 +51,13 @@ struct Nacelle {
   std::string center_from, hub_from, tilt_from;
 };
 
+/// A shaft that twists, between the hub and a generator behind a gearbox.
+struct FoundTrain {
+  Value stiffness, damping;  ///< on the hub's side [N m/rad, N m s/rad]
+  Value gear_ratio;          ///< turns of the generator for one of the hub
+  Value generator_inertia;   ///< at its own speed [kg m^2]
+};
+
 /// All that was found. What is left out has the scenario's default, or what the writer says.
 struct FoundModel {
   std::string title;
@@ -64,6 +71,7 @@ struct FoundModel {
   Value gravity;  ///< downwards [m/s^2]; not in the files: 0, the writer takes the standard value
   Value ground;   ///< its coordinate, upwards from the tower's foot [m]
   std::optional<Nacelle> nacelle;
+  std::optional<FoundTrain> train;  ///< only with a nacelle; none: the shaft is rigid
   FoundDamping damping;
   std::optional<FoundAir> air;
   Value pitch;                        ///< of the blades about +x [rad]; used where there is air

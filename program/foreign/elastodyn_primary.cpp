@@ -32,10 +32,19 @@ void read_rotor(KeyedLines& reader, FoundModel& model) {
   model.hub_mass = reader.at_least("HubMass", 0.0);
   model.hub_center = reader.has("HubCM") ? reader.number("HubCM").number : 0.0;
   model.hub_inertia = reader.at_least("HubIner", 0.0);
+  model.has_rotor = true;
+}
+
+/// A shaft that twists puts the generator behind it; on a rigid one it is part of the hub.
+void read_train(KeyedLines& reader, FoundModel& model) {
   const Value generator = reader.at_least("GenIner", 0.0), gear = reader.number("GBRatio");
+  if (reader.has("DTTorSpr") && !reader.is_off("DrTrDOF") && generator.number > 0.0) {
+    model.train = FoundTrain{reader.positive("DTTorSpr"), {}, gear, generator};
+    if (reader.has("DTTorDmp")) model.train->damping = reader.at_least("DTTorDmp", 0.0);
+    return;
+  }
   model.hub_inertia.number += generator.number * gear.number * gear.number;
   model.hub_inertia.from += ", with that of the generator, GenIner times GBRatio squared";
-  model.has_rotor = true;
 }
 
 void read_nacelle(KeyedLines& reader, FoundModel& model) {
@@ -115,6 +124,7 @@ ElastoDynPrimary read_elastodyn_primary(const SourceFile& source, FoundModel& mo
   reader.lines().take("the first line of a primary file of ElastoDyn");
   model.title = printable(reader.lines().take("a title"));
   read_rotor(reader, model);
+  read_train(reader, model);
   read_nacelle(reader, model);
   ElastoDynPrimary primary;
   primary.blade_length = subtract(reader, "TipRad", "HubRad");
@@ -134,7 +144,8 @@ ElastoDynPrimary read_elastodyn_primary(const SourceFile& source, FoundModel& mo
   model.left_out.push_back(
       source.name + ": switches of degrees of freedom, " +
       (pitches ? "initial conditions but speed and pitch, " : "initial conditions, pitch, ") +
-      "teeter, furling, platform, yaw (the nacelle is fixed to the tower), drivetrain flexibility, "
+      "teeter, furling, platform, yaw (the nacelle is fixed to the tower), " +
+      (model.train ? "" : "drivetrain flexibility, ") +
       "losses of the gearbox and outputs; blade 1 stands for all; of the nacelle's inertia that "
       "about the yaw axis is taken for every axis, and the hub's about other axes is half of that "
       "about its own");

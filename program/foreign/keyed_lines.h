@@ -3,6 +3,8 @@
 // A file of lines of a value and its key, which are looked for by name, since their order differs
 // from version to version.
 
+#include <algorithm>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -61,6 +63,18 @@ class KeyedLines {
     if (!(value.number > 0.0))
       lines_.refuse(std::string(key) + " is " + describe(value.number) + ", expected more than 0");
     return value;
+  }
+  /// Whether a flag is there and false.
+  bool is_off(std::string_view key) {
+    if (!has(key)) return false;
+    const std::string flag = text(key);
+    const auto is_one_of = [&flag](std::initializer_list<std::string_view> words) {
+      return std::any_of(words.begin(), words.end(),
+                         [&flag](std::string_view word) { return is_same_word(flag, word); });
+    };
+    if (is_one_of({"False", "F", ".false."})) return true;
+    if (is_one_of({"True", "T", ".true.", "default"})) return false;
+    lines_.refuse(std::string(key) + " is \"" + printable(flag) + "\", expected True or False");
   }
   /// A key that other versions spell otherwise, and that may be missing.
   NamedFile file(std::string_view key, std::string_view other) {

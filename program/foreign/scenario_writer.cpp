@@ -112,6 +112,16 @@ void write_nacelle(const Nacelle& nacelle, Toml& toml) {
   toml.key("inertia", digits(nacelle.inertia.number), nacelle.inertia.from);
 }
 
+void write_train(const FoundTrain& train, Toml& toml) {
+  const auto write = [&toml](const char* key, const Value& value) {
+    if (!value.from.empty()) toml.key(key, digits(value.number), value.from);
+  };
+  write("stiffness", train.stiffness);
+  write("damping", train.damping);
+  write("gear_ratio", train.gear_ratio);
+  write("generator_inertia", train.generator_inertia);
+}
+
 void write_support(const FoundModel& model, Toml& toml) {
   const BeamTable& tower = *model.tower;
   const std::string turn = digits(Eigen::Vector3d(0.0, 0.5 * std::numbers::pi, 0.0));
@@ -145,6 +155,7 @@ void write_support(const FoundModel& model, Toml& toml) {
     toml.key("offset", digits(model.nacelle->hub), model.nacelle->hub_from);
     toml.key("orientation", digits(Eigen::Vector3d(0.0, model.nacelle->tilt, 0.0)),
              model.nacelle->tilt_from + ", in rad");
+    if (model.train) write_train(*model.train, toml);
   } else {
     toml.key("orientation", turn, "back: z is up");
   }

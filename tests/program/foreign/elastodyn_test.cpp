@@ -139,6 +139,30 @@ TEST_CASE("a turbine of ElastoDyn has its rotor, nacelle, shaft and tower") {
   CHECK(model.support->axle.orientation.y() == doctest::Approx(4.0 * kDegree));
 }
 
+TEST_CASE("a shaft of ElastoDyn that twists is a drive train, one that is switched off is not") {
+  const std::string shaft = "GBRatio     - Gearbox ratio (-)\n";
+  const auto import_with = [&shaft](const std::string& more) {
+    auto texts = samples();
+    std::string& text = texts.at("small_ElastoDyn.dat");
+    const auto at = text.find(shaft);
+    REQUIRE(at != std::string::npos);
+    text.insert(at + shaft.size(), more);
+    return import_texts(texts, {"small_ElastoDyn.dat"});
+  };
+  const auto soft =
+      import_with("True DrTrDOF - flag\n2.5e6 DTTorSpr - N m/rad\n3e4 DTTorDmp - N m s\n");
+  const spatial::Model& model = *soft.scenario.space;
+  REQUIRE(model.support->axle.train);
+  CHECK(model.support->axle.train->stiffness == 2.5e6);
+  CHECK(model.support->axle.train->damping == 3e4);
+  CHECK(model.support->axle.train->gear_ratio == 20.0);
+  CHECK(model.support->axle.train->generator_inertia == 12.0);
+  CHECK(model.hub.inertia(0, 0) == 900.0);
+  const auto rigid = import_with("False DrTrDOF - flag\n2.5e6 DTTorSpr - N m/rad\n");
+  CHECK_FALSE(rigid.scenario.space->support->axle.train);
+  CHECK(rigid.scenario.space->hub.inertia(0, 0) == doctest::Approx(900.0 + 12.0 * 400.0));
+}
+
 TEST_CASE("a blade of BeamDyn takes the place of ElastoDyn's in a turbine") {
   const auto imported = import_texts(samples(), {"small_ElastoDyn.dat", "small_BeamDyn.dat"});
   const auto blade = import_texts(samples(), {"small_BeamDyn.dat"});
