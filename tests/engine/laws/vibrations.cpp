@@ -64,20 +64,30 @@ VectorXcd move_machine(const Linear& all, const vibration::FixedFrame& frame, co
   return motion;
 }
 
+/// Returns the azimuth at which a run starts: a shaft is twisted against a drive that is held
+/// [rad].
+double start_azimuth(const Linear& all, const Scenario& scenario) {
+  const auto& train = all.model->on_support()->parts().train;
+  const bool is_held = prescribes_motion(scenario.space->hub.drive);
+  return train && is_held ? -all.equilibrium.wrench[5] / train->stiffness : 0.0;
+}
+
 /// Lists those of a rotor on a support, from roots in multi-blade coordinates.
 std::vector<Vibration> list_of_machine(const Scenario& scenario, std::size_t count) {
   const double speed = steady_speed(scenario);
   const auto all = std::make_shared<const Linear>(scenario, true);
   const auto frame = std::make_shared<const vibration::FixedFrame>(
       vibration::see_from_outside({*all->model, all->equilibrium, all->linear}));
+  const double start = start_azimuth(*all, scenario);
   std::vector<Vibration> list;
   for (const vibration::Root& root :
        vibration::find_fixed_roots(*frame, static_cast<Eigen::Index>(count) + kRigid)) {
     if (!vibrates(root.s) || list.size() == count) continue;
-    list.push_back(
-        {"root " + std::to_string(list.size() + 1), root.s, [all, frame, root, speed](double t) {
-           return move_machine(*all, *frame, root.x * std::exp(root.s * t), speed * t);
-         }});
+    list.push_back({"root " + std::to_string(list.size() + 1), root.s,
+                    [all, frame, root, start, speed](double t) {
+                      return move_machine(*all, *frame, root.x * std::exp(root.s * t),
+                                          start + speed * t);
+                    }});
   }
   return list;
 }
