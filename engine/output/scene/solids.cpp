@@ -49,7 +49,7 @@ Solid make_disc(double inertia) {
 
 Solid make_body(const Vector& center, double mass, const spatial::Tensor& inertia) {
   const Eigen::SelfAdjointEigenSolver<spatial::Tensor> principal(inertia);
-  const Vector moments = principal.eigenvalues();
+  const Vector& moments = principal.eigenvalues();
   spatial::Tensor axes = principal.eigenvectors();
   if (axes.determinant() < 0.0) axes.col(2) = -axes.col(2);
   Solid solid;

@@ -198,17 +198,17 @@ Fault find_fault(const Sensor& sensor, const Model& model, const std::vector<Tre
   if (!sensor.name.empty() && !is_name(sensor.name))
     return {"name", "is \"" + sensor.name + "\", expected " + kNameExpected};
   if (const std::string fault = find_frame_fault(sensor); !fault.empty()) return {"frame", fault};
-  if (const Fault fault = sensor.subsystem.empty() ? find_blade_fault(sensor, model)
+  if (Fault fault = sensor.subsystem.empty() ? find_blade_fault(sensor, model)
                                                    : find_body_fault(sensor, model))
     return fault;
   if (const std::string fault = find_loop_fault(sensor, loops_of(sensor, model)); !fault.empty())
     return {"loop", fault};
-  if (const Fault fault = find_coupling_fault(sensor, model)) return fault;
+  if (Fault fault = find_coupling_fault(sensor, model)) return fault;
   if (!needs_body(sensor)) return {};
   const auto places = find_places(sensor, model.blades.size(), trees);
   if (const SolidPart* solid = find_solid(places, trees)) {
     if (sensor.quantity != SensorQuantity::joint_reaction) return find_solid_fault(sensor, *solid);
-  } else if (const Fault fault = find_solid_keys(sensor)) {
+  } else if (Fault fault = find_solid_keys(sensor)) {
     return fault;
   }
   if (has_position(sensor.quantity)) return find_position_fault(sensor, length_at(places, trees));
@@ -242,7 +242,7 @@ class SensorRules {
         }) {}
 
   Fault find_next_fault(const Sensor& sensor) {
-    if (const Fault fault = find_fault(sensor, model_, trees_)) return fault;
+    if (Fault fault = find_fault(sensor, model_, trees_)) return fault;
     std::vector<std::string> names;
     const auto components = components_in_space(sensor.quantity);
     if (is_of_blade(sensor.quantity))

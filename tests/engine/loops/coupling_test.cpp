@@ -243,6 +243,34 @@ TEST_CASE("axles of a support are ends of couplings: a generator behind a gear")
   }
 }
 
+TEST_CASE("a coupling in each blade ties its pitch to its flap") {
+  const std::string text =
+      "world='space'\n[hub]\ninertia=1\n[hub.drive]\nkind='constant'\nspeed=20\n"
+      "[blade]\ncount=2\nlength=2\nbodies=1\nelements=2\n"
+      "sections={ mass_per_length=2, axial_stiffness=4e5, flap_stiffness=1e3, lag_stiffness=2e3,"
+      " torsion_stiffness=800, flap_inertia=1e-3, lag_inertia=3e-3 }\n"
+      "joint=[ { name='flap', station=0.1, kind='revolute', axis=[0,-1,0], initial=0.1 },"
+      " { name='pitch', station=0.3, kind='revolute', axis=[1,0,0] } ]\n"
+      "coupling=[ { name='delta3', joints=[{ joint='flap', ratio=0.5 }, { joint='pitch', ratio=1 "
+      "}] } ]\n" +
+      kSteps;
+  const System<Space> system = make_system(parse_model(text));
+  const auto run = [&system](Formulation formulation) {
+    auto made = std::make_unique<Run<Space>>(
+        system, RunSetup{.method = make_generalized_alpha(0.8, 1e-3), .formulation = formulation});
+    made->advance(60);
+    return made;
+  };
+  const auto structured = run(Formulation::structured);
+  CHECK(largest_difference(*structured, *run(Formulation::subsystem)) < 1e-10);
+  CHECK(largest_difference(*structured, *run(Formulation::augmented)) < 1e-10);
+  for (const SubsystemData<Space>& blade : structured->context.data.subsystems) {
+    const double flap = blade.bodies[1].joint.coordinates.q[0];
+    CHECK(std::abs(flap - 0.1) > 0.05);
+    CHECK(std::abs(blade.bodies[2].joint.coordinates.q[0] + 0.5 * (flap - 0.1)) < 1e-13);
+  }
+}
+
 TEST_CASE("formulations agree on couplings, of rigid and elastic bodies, with loops and without") {
   for (const bool is_elastic : {false, true})
     for (const bool has_rod : {false, true})
