@@ -19,6 +19,7 @@
 #include "models/coupling.h"
 #include "models/curve.h"
 #include "models/drive.h"
+#include "models/drive_train.h"
 #include "models/loop.h"
 #include "models/mount_motion.h"
 #include "models/rotor.h"
@@ -320,16 +321,6 @@ struct Fuselage {
   Vector attitude = Vector::Zero();          ///< rotation vector of its frame at t = 0 [rad]
   Vector velocity = Vector::Zero();          ///< of its origin at t = 0, inertial frame [m/s]
   Vector angular_velocity = Vector::Zero();  ///< at t = 0, its axes [rad/s]
-};
-
-/// A shaft with torsion from the hub to a gearbox, and behind that a generator, which the drive
-/// turns in place of the hub: its speeds and torques are what they are on the hub's side of the
-/// gearbox. The carrier of the axle carries the housings of both.
-struct DriveTrain {
-  double stiffness = 0.0;          ///< of the shaft, on the hub's side [N m/rad], > 0
-  double damping = 0.0;            ///< of the shaft, likewise [N m s/rad]
-  double gear_ratio = 1.0;         ///< turns of the generator for one of the hub; not 0
-  double generator_inertia = 0.0;  ///< about the axle [kg m^2], > 0; none of the carrier's
 };
 
 /// Where the axle of the hub stands on a support.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 #include "engine/bodies/kernels/plane/suggested_bodies.h"
 #include "engine/small_motions/steady/deflection_words.h"
@@ -134,22 +135,27 @@ Warning warn_of_momentum(const Scenario& scenario, double step_size, const Obser
   return {WarningKind::momentum, momentum.first_step * step_size, text.str()};
 }
 
-/// Returns the loop of a row of a subsystem.
-const Loop& loop_of(const Scenario& scenario, double index, double row) {
-  const auto i = static_cast<std::size_t>(index);
-  const std::vector<Loop>* loops = nullptr;
-  if (!scenario.space)
-    loops = &scenario.rotor.blades.at(i).loops;
-  else if (i < scenario.space->blades.size())
-    loops = &scenario.space->blades[i].loops;
-  else
-    loops = &scenario.space->subsystems.at(i - scenario.space->blades.size()).loops;
-  int left = static_cast<int>(row);
-  for (const Loop& loop : *loops) {
-    left -= scenario.space ? count_locked(loop.kind) : count_locked_in_plane(loop.kind);
-    if (left < 0) return loop;
+/// Names the loop of a row of a blade or subsystem, `loop "foot"`, or the coupling behind all
+/// loops.
+template <class Owner>
+std::string name_row(const Owner& owner, int row, bool in_plane) {
+  for (const Loop& loop : owner.loops) {
+    row -= in_plane ? count_locked_in_plane(loop.kind) : count_locked(loop.kind);
+    if (row < 0) return "loop \"" + loop.name + '"';
   }
-  return loops->back();
+  if constexpr (requires { owner.couplings; })
+    if (std::cmp_less(row, owner.couplings.size()))
+      return "coupling \"" + owner.couplings[static_cast<std::size_t>(row)].name + '"';
+  return "the shaft";  // of a drive train
+}
+
+std::string name_row(const Scenario& scenario, double index, double row) {
+  const auto i = static_cast<std::size_t>(index);
+  const int number = static_cast<int>(row);
+  if (!scenario.space) return name_row(scenario.rotor.blades.at(i), number, true);
+  const std::vector<spatial::Blade>& blades = scenario.space->blades;
+  if (i < blades.size()) return name_row(blades[i], number, false);
+  return name_row(scenario.space->subsystems.at(i - blades.size()), number, false);
 }
 
 Warning warn_of_loop(const Scenario& scenario, double step_size, const Observations& seen) {
@@ -157,7 +163,7 @@ Warning warn_of_loop(const Scenario& scenario, double step_size, const Observati
   const double time = loop.first_step * step_size;
   std::ostringstream text;
   text.precision(3);
-  text << "loop \"" << loop_of(scenario, loop.subsystem, loop.row).name << "\" of "
+  text << name_row(scenario, loop.subsystem, loop.row) << " of "
        << name_subsystem(scenario, loop.subsystem)
        << " comes to a singular position at t = " << time
        << " s, in which its equations depend on one another: a pivot of theirs is " << loop.left

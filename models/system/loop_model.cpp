@@ -143,22 +143,6 @@ double LoopModel::unit_of(const LoopRow& row, double length) const {
   return unit;
 }
 
-LoopModel make_coupling(const Coupling& coupling, std::vector<CoupledCoordinate> coupled,
-                        double rest) {
-  assert(!coupled.empty());
-  LoopModel made;
-  made.name = coupling.name;
-  made.from.body = coupled.front().body;
-  made.to.carrier = LoopPlace::Carrier::hub;
-  LoopRow& row = made.rows.emplace_back();
-  row.kind = LoopRow::Kind::coupling;
-  row.rest = rest;
-  row.stiffness = coupling.stiffness;
-  row.damping = coupling.damping;
-  made.coupled = std::move(coupled);
-  return made;
-}
-
 AnchorModel make_anchor(const Anchor& anchor, const space::Rotation& to_axis) {
   AnchorModel made{anchor.name, anchor.frame, anchor.turns_with_hub, {}, to_axis};
   if (const auto* mount = std::get_if<spatial::MountMotion>(&anchor.motion)) {

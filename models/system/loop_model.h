@@ -9,7 +9,6 @@
 #include <variant>
 #include <vector>
 
-#include "models/coupling.h"
 #include "models/loop.h"
 #include "models/space/space.h"
 
@@ -99,9 +98,6 @@ struct AnchorModel {
 
 /// Makes the rows of a closure; in the plane those that lie in it.
 std::vector<LoopRow> make_loop_rows(const Loop& loop, bool in_plane);
-/// Makes a coupling of these coordinates; `rest`: sum c q_0.
-LoopModel make_coupling(const Coupling& coupling, std::vector<CoupledCoordinate> coupled,
-                        double rest);
 /// Makes the constants of a loop besides its places.
 LoopModel make_loop(const Loop& loop, bool in_plane);
 AnchorModel make_anchor(const Anchor& anchor, const space::Rotation& to_axis);

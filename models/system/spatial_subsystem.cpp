@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "models/system/coupling_model.h"
 #include "models/system/solid_tension.h"
 #include "models/tree/drive_train.h"
 #include "models/tree/mass_properties.h"
@@ -46,7 +47,8 @@ class SubsystemMaker {
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j) add_body(j);
     for (std::size_t k = 0; k < beams_.size(); ++k) add_modes(k);
     for (const spatial::TreeLoop& loop : tree_.loops) add_loop(loop);
-    for (std::size_t k = 0; k < tree_.couplings.size(); ++k) add_coupling(k);
+    for (std::size_t k = 0; k < tree_.couplings.size(); ++k)
+      made_.loops.push_back(make_coupling(tree_, k));
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j) add_joint(j);
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j)
       made_.bodies[j].joint.slide = find_slide(j);
@@ -187,44 +189,6 @@ class SubsystemMaker {
     made.key = tree_.key + ".loop." + std::to_string(made_.loops.size());
     made.from = make_place(loop.from);
     made.to = make_place(loop.to);
-  }
-
-  /// Finds the coordinate of a joint in a coupling; adds c q_0 to `rest`.
-  CoupledCoordinate find_coupled(const CoupledJoint& at, double& rest) const {
-    const auto j = static_cast<std::size_t>(
-        std::find_if(tree_.bodies.begin(), tree_.bodies.end(),
-                     [&](const spatial::TreeBody& b) { return b.joint.name == at.joint; }) -
-        tree_.bodies.begin());
-    assert(j < tree_.bodies.size());
-    const spatial::Joint& joint = body(j).joint;
-    const auto c = static_cast<std::size_t>(at.coordinate - 1);
-    const spatial::JointCoordinate& own = joint.coordinates[c];
-    CoupledCoordinate made{static_cast<int>(j), 0, own.motion.has_value(),
-                           slides(joint.kind, at.coordinate - 1), at.ratio};
-    for (std::size_t k = 0; k < c; ++k)
-      made.component += joint.coordinates[k].motion.has_value() == made.is_driven;
-    rest += at.ratio * (own.motion ? start_of(*own.motion) : own.initial);
-    return made;
-  }
-
-  /// Returns the value of a prescribed motion at t = 0, at the hub's angle 0.
-  double start_of(const spatial::Motion& motion) const {
-    if (const auto* table = std::get_if<spatial::MotionTable>(&motion))
-      return table->value.value(0.0);
-    if (const auto* program = std::get_if<spatial::ProgramMotion>(&motion)) return program->initial;
-    const auto& azimuth = std::get<spatial::AzimuthMotion>(motion);
-    return azimuth.mean + azimuth.cosine * std::cos(tree_.azimuth) +
-           azimuth.sine * std::sin(tree_.azimuth);
-  }
-
-  void add_coupling(std::size_t k) {
-    const Coupling& coupling = tree_.couplings[k];
-    double rest = 0.0;
-    std::vector<CoupledCoordinate> coupled;
-    for (const CoupledJoint& at : coupling.joints) coupled.push_back(find_coupled(at, rest));
-    LoopModel& made = made_.loops.emplace_back(make_coupling(coupling, std::move(coupled), rest));
-    made.owner = tree_.name;
-    made.key = tree_.key + ".coupling." + std::to_string(k + 1);
   }
 
   /// Returns the nodes or interfaces of a body's handles.

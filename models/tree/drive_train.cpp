@@ -41,7 +41,8 @@ RigidBody make_generator(const DriveTrain& train) {
 Coupling make_shaft(const DriveTrain& train, const std::string& prefix) {
   Coupling shaft;
   shaft.name = prefix + "shaft";
-  shaft.joints = {{prefix + "axle", 1, 1.0}, {prefix + std::string(kGeneratorName), 1, -1.0 / train.gear_ratio}};
+  shaft.joints = {{prefix + "axle", 1, 1.0},
+                  {prefix + std::string(kGeneratorName), 1, -1.0 / train.gear_ratio}};
   shaft.stiffness = train.stiffness;
   shaft.damping = train.damping;
   return shaft;

@@ -112,8 +112,8 @@ std::vector<Index> close_loops(std::size_t subsystem, SteadyModel& model, Vector
       closing.largest(&row);
       const auto at = static_cast<std::size_t>(closing.rows()[static_cast<std::size_t>(row)]);
       const std::size_t loop = model.closure_rows(subsystem)[at].loop;
-      throw InputError(model.name_of(subsystem) + " / loop \"" + model.loop_name(subsystem, loop) +
-                       "\" cannot be closed by moving its joints and bodies");
+      throw InputError(model.name_of(subsystem) + " / " + model.loop_words(subsystem, loop) +
+                       " cannot be closed by moving its joints and bodies");
     }
   }
   SubsystemResponse response;

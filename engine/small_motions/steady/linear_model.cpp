@@ -90,8 +90,8 @@ MatrixXd find_following(std::size_t i, const FreeMotion& motion, const MatrixXd&
     follows = follows || by_hub.row(r).norm() > size(r);
     if (left.row(r).norm() <= size(r)) continue;
     const std::size_t loop = model.closure_rows(i)[static_cast<std::size_t>(r)].loop;
-    throw InputError(model.name_of(i) + " / loop \"" + model.loop_name(i, loop) +
-                     "\" holds the hub, which nothing else does: expected a hub at a given speed");
+    throw InputError(model.name_of(i) + " / " + model.loop_words(i, loop) +
+                     " holds the hub, which nothing else does: expected a hub at a given speed");
   }
   return follows ? following : MatrixXd();
 }

@@ -247,8 +247,8 @@ class SteadyModel {
 
   /// Returns the rows of the subsystem's loops.
   virtual const std::vector<ClosureRow>& closure_rows(std::size_t subsystem) const = 0;
-  /// Returns the name of a loop.
-  virtual const std::string& loop_name(std::size_t subsystem, std::size_t loop) const = 0;
+  /// Returns a loop with its name: `loop "foot"`, or `coupling "gear"`.
+  virtual std::string loop_words(std::size_t subsystem, std::size_t loop) const = 0;
   // At the state that was evaluated last.
   /// Returns the rates of openings by velocities, row by row: columns for the hub's twist, then for
   /// the coordinates. Transposed it takes the forces of rows to those on hub and coordinates.

@@ -71,8 +71,9 @@ class SteadySystem final : public SteadyModel {
   const std::vector<ClosureRow>& closure_rows(std::size_t subsystem) const override {
     return rows_[subsystem];
   }
-  const std::string& loop_name(std::size_t subsystem, std::size_t loop) const override {
-    return context_.system.subsystems[subsystem].loops[loop].name;
+  std::string loop_words(std::size_t subsystem, std::size_t loop) const override {
+    const LoopModel& model = context_.system.subsystems[subsystem].loops[loop];
+    return std::string(model.word()) + " \"" + model.name + '"';
   }
   Eigen::MatrixXd closures(std::size_t subsystem) override;
   std::vector<LoopLoad> loop_loads(std::size_t subsystem,

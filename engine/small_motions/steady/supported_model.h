@@ -119,8 +119,8 @@ class SupportedModel final : public SteadyModel {
   const std::vector<ClosureRow>& closure_rows(std::size_t i) const override {
     return of(i).closure_rows(in(i));
   }
-  const std::string& loop_name(std::size_t i, std::size_t loop) const override {
-    return of(i).loop_name(in(i), loop);
+  std::string loop_words(std::size_t i, std::size_t loop) const override {
+    return of(i).loop_words(in(i), loop);
   }
   Eigen::MatrixXd closures(std::size_t i) override { return of(i).closures(in(i)); }
   std::vector<LoopLoad> loop_loads(std::size_t i,

@@ -199,7 +199,7 @@ Fault find_fault(const Sensor& sensor, const Model& model, const std::vector<Tre
     return {"name", "is \"" + sensor.name + "\", expected " + kNameExpected};
   if (const std::string fault = find_frame_fault(sensor); !fault.empty()) return {"frame", fault};
   if (Fault fault = sensor.subsystem.empty() ? find_blade_fault(sensor, model)
-                                                   : find_body_fault(sensor, model))
+                                             : find_body_fault(sensor, model))
     return fault;
   if (const std::string fault = find_loop_fault(sensor, loops_of(sensor, model)); !fault.empty())
     return {"loop", fault};
