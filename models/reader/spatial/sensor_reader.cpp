@@ -69,10 +69,13 @@ Fault find_body_fault(const Sensor& sensor, const Model& model) {
                         "\", expected the subsystem alone"};
   }
   for (const Body& body : found->bodies) bodies.push_back(body.name);
-  std::vector<std::string> hubs;  // outlive their views
-  for (int r = 0; is_support(model, *found) && r < count_rotors(model); ++r)
-    hubs.push_back(prefix_of_rotor(model, r) + "hub");
-  bodies.insert(bodies.end(), hubs.begin(), hubs.end());
+  std::vector<std::string> of_rotors;  // outlive their views
+  for (int r = 0; is_support(model, *found) && r < count_rotors(model); ++r) {
+    of_rotors.push_back(prefix_of_rotor(model, r) + "hub");
+    if (axle_of(model, r).train)
+      of_rotors.push_back(prefix_of_rotor(model, r) + std::string(kGeneratorName));
+  }
+  bodies.insert(bodies.end(), of_rotors.begin(), of_rotors.end());
   if (sensor.body.empty()) return {"body", "is missing, expected the name of one of the subsystem"};
   if (std::find(bodies.begin(), bodies.end(), sensor.body) == bodies.end())
     return {"body", describe_unknown(sensor.body, bodies)};

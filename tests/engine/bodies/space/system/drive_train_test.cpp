@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 
+#include "engine/courses.h"
 #include "engine/modes.h"
 #include "engine/simulation.h"
 #include "models/system/spatial_system.h"
@@ -140,6 +141,21 @@ TEST_CASE("a torque by speed acts on the generator by its own speed, and its pow
           1e-3);
     CHECK(std::abs(simulation.sensor("energy.residual")) < 1e-5);
   }
+}
+
+TEST_CASE("sensors are on a generator, and a program turns it") {
+  const std::string text = make_train(kHeld, "kind='free'\n") +
+                           "[[sensor]]\nname='generator'\nquantity='velocity'\n"
+                           "subsystem='support'\nbody='generator'\nframe='inertial'\n";
+  Simulation simulation(parse_scenario(text, "f"));
+  set_joint_torque(simulation, 0, simulation.joint_index(0, "generator"), 0, 10.0);
+  simulation.run_until(0.2);
+  // n J_g q'' + J psi'' = n T, whatever the shaft does.
+  const double generator = simulation.sensor("support.generator.rotation.x");
+  const double sum =
+      kTeeth * kGeneratorInertia * generator + kHubInertia * simulation.sensor("hub.speed");
+  CHECK(std::abs(sum - kTeeth * 10.0 * 0.2) < 1e-9);
+  CHECK(generator > kTeeth * 0.4);  // 0.48 behind a rigid shaft
 }
 
 TEST_CASE("a run from the equilibrium begins with the shaft twisted by the torque") {
