@@ -65,6 +65,7 @@ const std::map<std::string_view, std::string_view> kMoving{
     {"nrel_5mw_in_wind", "gravity and wind turn against the blades"},
     {"nrel_5mw_rotor", "gravity turns against the blades"},
     {"nrel_5mw_turbine", "gravity turns against the blades"},
+    {"nrel_5mw_turbine, with a drive train", "gravity turns against the blades"},
     {"satellite_booms", "a torque slews it"},
     {"solid_bracket", "its rotor is out of balance"},
     {"whirl_rotor", "a push on the disc"},
