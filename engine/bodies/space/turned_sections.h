@@ -4,9 +4,10 @@
 // becomes, to second order in the section's rotation th, e_a + th x e_a + 1/2 th x (th x e_a);
 // slots have it without the last term, which makes T less by
 //   1/2 w^T Lambda w = 1/2 th^T M th,     M = tr(P W0) 1 - 1/2 (W0 P + P W0)
-// with W0 = |w|^2 1 - w w^T and the second moment P, in any axes of the body. The sections of an
-// element take the mean of the rotations of both its nodes. Of a twist it is the propeller moment,
-// of bending the part of rotary inertia that holds a shaft straight.
+// with W0 = |w|^2 1 - w w^T and the second moment P, in any axes of the body. The rotation is linear
+// between the nodes of an element, as that of slots is: what a round shaft twists has the same
+// inertia at any speed. Of a twist it is the propeller moment, of bending the part of rotary inertia
+// that holds a shaft straight.
 
 #include <vector>
 
@@ -48,10 +49,33 @@ struct TurnedMasses {
   return inertia;
 }
 
-/// Returns the mean of the rotations of an element's nodes, of values by node.
-[[gnu::always_inline]] inline Position mean_rotation(const double* q) {
-  using Rotations = Eigen::Map<const Position>;
-  return 0.5 * (Rotations(q + kRotation) + Rotations(q + kTwist + kRotation));
+/// The rotations of an element's sections, linear between its nodes, by two of which the squares
+/// sum up to the mean square: that in the middle, and what is added to it, by 1/sqrt(12).
+struct SectionTurns {
+  Position mean, slope;
+
+  /// q: values by node.
+  [[gnu::always_inline]] explicit SectionTurns(const double* q) {
+    using Rotations = Eigen::Map<const Position>;
+    const Rotations inner(q + kRotation), outer(q + kTwist + kRotation);
+    mean = 0.5 * (inner + outer);
+    slope = kSlope * (outer - inner);
+  }
+
+  static constexpr double kSlope = 0.28867513459481287;  // 1/sqrt(12)
+};
+
+/// As turned_inertia() of both parts of the rotations.
+[[gnu::always_inline]] inline Matrix3 turned_inertia(const Matrix3& P, const SectionTurns& a,
+                                                     const SectionTurns& b) {
+  const Position P_mean = P.lazyProduct(b.mean), P_slope = P.lazyProduct(b.slope);
+  const Matrix3 half = a.mean * P_mean.transpose() + a.slope * P_slope.transpose() +
+                       P.lazyProduct(a.mean) * b.mean.transpose() +
+                       P.lazyProduct(a.slope) * b.slope.transpose();
+  const double product = a.mean.dot(b.mean) + a.slope.dot(b.slope);
+  Matrix3 inertia = 0.25 * (half + half.transpose()) - product * P;
+  inertia.diagonal().array() += product * P.trace() - a.mean.dot(P_mean) - a.slope.dot(P_slope);
+  return inertia;
 }
 
 /// Subtracts the forces M th of an element at an angular velocity w from `force`, and adds its
@@ -59,20 +83,21 @@ struct TurnedMasses {
 [[gnu::always_inline]] inline void subtract_turned(const TurnedMasses& masses, const Angular& w,
                                                    const double* q, const double* v, double* force,
                                                    TurnedInertia& sum) {
-  const auto add = [&](const Matrix3& P, const Position& th, const Position& rate)
-      __attribute__((always_inline)) {
-    sum.value += turned_inertia(P, th, th);
-    sum.rate += turned_inertia(P, th, rate);
-    return turned_moment(P, w, th);
-  };
-  const Position half = 0.5 * add(masses.sections, mean_rotation(q), mean_rotation(v));
-  Eigen::Map<Position>(force + kRotation) -= half;
-  Eigen::Map<Position>(force + kTwist + kRotation) -= half;
+  const SectionTurns th(q), rate(v);
+  sum.value += turned_inertia(masses.sections, th, th);
+  sum.rate += turned_inertia(masses.sections, th, rate);
+  const Position half = 0.5 * turned_moment(masses.sections, w, th.mean);
+  const Position apart = SectionTurns::kSlope * turned_moment(masses.sections, w, th.slope);
+  Eigen::Map<Position>(force + kRotation) -= half - apart;
+  Eigen::Map<Position>(force + kTwist + kRotation) -= half + apart;
   using Coordinates = Eigen::Matrix<double, 2 * kTwist, 1>;
   using ConstCoordinates = Eigen::Map<const Coordinates>;
   for (const PointInertia& point : masses.points) {
-    const Position moment = add(point.second, point.rotation.lazyProduct(ConstCoordinates(q)),
-                                point.rotation.lazyProduct(ConstCoordinates(v)));
+    const Position th_p = point.rotation.lazyProduct(ConstCoordinates(q));
+    sum.value += turned_inertia(point.second, th_p, th_p);
+    sum.rate += turned_inertia(point.second, th_p,
+                               Position(point.rotation.lazyProduct(ConstCoordinates(v))));
+    const Position moment = turned_moment(point.second, w, th_p);
     Eigen::Map<Coordinates>(force, 2 * kTwist) -= point.rotation.transpose().lazyProduct(moment);
   }
 }
@@ -80,8 +105,8 @@ struct TurnedMasses {
 /// Adds Lambda of an element alone, to the bits of subtract_turned().
 [[gnu::always_inline]] inline void add_turned(const TurnedMasses& masses, const double* q,
                                               Matrix3& sum) {
-  const Position mean = mean_rotation(q);
-  sum += turned_inertia(masses.sections, mean, mean);
+  const SectionTurns turns(q);
+  sum += turned_inertia(masses.sections, turns, turns);
   for (const PointInertia& point : masses.points) {
     const Position th =
         point.rotation.lazyProduct(Eigen::Map<const Eigen::Matrix<double, 2 * kTwist, 1>>(q));

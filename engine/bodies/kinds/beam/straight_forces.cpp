@@ -4,6 +4,7 @@
 
 #include "engine/bodies/space/body_stiffening.h"
 #include "engine/bodies/space/tension_weights.h"
+#include "engine/bodies/space/turned_sections.h"
 #include "models/support/wide_kernels.h"
 
 namespace spoke::space {
@@ -117,14 +118,20 @@ struct Forms {
   return forms;
 }
 
-/// Rotations of four elements: the sums of those of both nodes.
-struct TurnSums {
+/// Rotations of four elements: as SectionTurns has them, twice as large.
+struct Turns {
   Double4 x, y, z;
+};
+struct ElementTurns {
+  Turns mean, slope;
 
-  [[gnu::always_inline]] explicit TurnSums(const ElementState& q)
-      : x(q.torsion[0] + q.torsion[1]),
-        y(-(q.plane[1].inner + q.plane[1].outer)),
-        z(q.plane[0].inner + q.plane[0].outer) {}
+  static constexpr double kSlope = 2.0 * SectionTurns::kSlope;
+  [[gnu::always_inline]] explicit ElementTurns(const ElementState& q)
+      : mean{q.torsion[0] + q.torsion[1], -(q.plane[1].inner + q.plane[1].outer),
+             q.plane[0].inner + q.plane[0].outer},
+        slope{kSlope * (q.torsion[1] - q.torsion[0]),
+              kSlope * (q.plane[1].inner - q.plane[1].outer),
+              kSlope * (q.plane[0].outer - q.plane[0].inner)} {}
 };
 
 /// Entries of W0 that count where P_23 is zero, with the factors that M has of them.
@@ -143,8 +150,13 @@ struct SpinWeights {
 struct TurnForms {
   Double4 of_22{}, of_33{}, xy{}, xz{}, yz{};
 
-  [[gnu::always_inline]] void add(const Double4& P22, const Double4& P33, const TurnSums& a,
-                                  const TurnSums& b) {
+  [[gnu::always_inline]] void add(const Double4& P22, const Double4& P33, const ElementTurns& a,
+                                  const ElementTurns& b) {
+    add(P22, P33, a.mean, b.mean);
+    add(P22, P33, a.slope, b.slope);
+  }
+  [[gnu::always_inline]] void add(const Double4& P22, const Double4& P33, const Turns& a,
+                                  const Turns& b) {
     const Double4 xx = a.x * b.x;
     of_22 += P22 * (xx + a.z * b.z);
     of_33 += P33 * (xx + a.y * b.y);
@@ -167,19 +179,24 @@ struct TurnForms {
                                                        ElementState& f, TurnForms& value,
                                                        TurnForms& rate) {
   const Double4 P22 = lanes(m.turning[0]), P33 = lanes(m.turning[1]);
-  const TurnSums th(q);
+  const ElementTurns th(q);
   value.add(P22, P33, th, th);
-  rate.add(P22, P33, th, TurnSums(v));
+  rate.add(P22, P33, th, ElementTurns(v));
   const Double4 M12 = W.half12 * P22, M13 = W.half13 * P33, M23 = W.half23 * (P22 + P33);
   const Double4 M22 = W.w33 * P33, M33 = W.w22 * P22, M11 = W.w22 * P22 + W.w33 * P33;
-  const Double4 x = M11 * th.x - M12 * th.y - M13 * th.z;
-  const Double4 y = M22 * th.y - M12 * th.x - M23 * th.z;
-  const Double4 z = M33 * th.z - M13 * th.x - M23 * th.y;
-  for (Double4& torsion : f.torsion) torsion += x;
-  f.plane[0].inner += z;
-  f.plane[0].outer += z;
-  f.plane[1].inner -= y;
-  f.plane[1].outer -= y;
+  const auto moment = [&](const Turns& a) __attribute__((always_inline)) {
+    return Turns{M11 * a.x - M12 * a.y - M13 * a.z, M22 * a.y - M12 * a.x - M23 * a.z,
+                 M33 * a.z - M13 * a.x - M23 * a.y};
+  };
+  const Turns both = moment(th.mean), of_slope = moment(th.slope);
+  const double k = ElementTurns::kSlope;
+  const Turns apart{k * of_slope.x, k * of_slope.y, k * of_slope.z};
+  f.torsion[0] += both.x - apart.x;
+  f.torsion[1] += both.x + apart.x;
+  f.plane[0].inner += both.z - apart.z;
+  f.plane[0].outer += both.z + apart.z;
+  f.plane[1].inner -= both.y - apart.y;
+  f.plane[1].outer -= both.y + apart.y;
 }
 
 /// Masses that four elements carry, and their tension.

@@ -53,11 +53,17 @@ double tension_form(const ElementStiffening& matrices, const Position& weights,
 }
 
 /// Returns twice the energy that the rotation of sections takes, to second order: a vector a of a
-/// section becomes a + th x a + 1/2 th x (th x a), th the mean of the nodes'.
+/// section becomes a + th x a + 1/2 th x (th x a), th linear between the nodes: by Gauss's rule of
+/// two points.
 double turning_form(const BeamElement& element, const Position& w, const ElementValues& x) {
-  const Matrix3 W = skew(w), th = skew(Position(0.5 * (x.segment<3>(3) + x.segment<3>(9))));
+  const Matrix3 W = skew(w);
   const Matrix3 P = element.axes.transpose() * element.stiffening.turning * element.axes;
-  return -(W * th * th * P * W.transpose()).trace();
+  double sum = 0.0;
+  for (const double xi : {-0.5 / std::sqrt(3.0), 0.5 / std::sqrt(3.0)}) {
+    const Matrix3 th = skew(Position((0.5 - xi) * x.segment<3>(3) + (0.5 + xi) * x.segment<3>(9)));
+    sum -= 0.5 * (W * th * th * P * W.transpose()).trace();
+  }
+  return sum;
 }
 
 /// Returns twice the energy that the rotation of small masses takes, to second order; `q`: of both
