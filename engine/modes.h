@@ -18,7 +18,8 @@ namespace spoke {
 enum class ModeFrame {
   turning,  ///< the frame that turns with the hub
   /// The frame that stands, in multi-blade coordinates: a blade's frequency w is w where all move
-  /// alike, w + n W and |w - n W| in patterns that go round n times, at the speed W of the hub.
+  /// alike, w + n W and |w - n W| in patterns that go round n times, at the speed W of the hub. Of
+  /// round shafts, too, with any bearings.
   fixed,
   /// The hub in the frame that stands and blades in the one that turns, where matrices are
   /// periodic: for any blades, by Floquet's theory. Gravity and loads of constant direction across
@@ -33,9 +34,9 @@ struct ModeOptions {
   /// the motion of the hub is prescribed; otherwise of the whole model. 1 or more; none: 10, or as
   /// many as there are. In the other frames: of the whole model.
   std::optional<int> count = std::nullopt;
-  /// None: `fixed` for a rotor on a support, else `turning`. On a support a rotor that has no modes
-  /// in that frame, of two blades or unequal ones, has them in `turning` at rest, else in
-  /// `floquet`; a note says so.
+  /// None: `fixed` for a rotor on a support and for shafts in bearings, else `turning`. A rotor
+  /// that has no modes in that frame, of two blades or unequal ones, has them in `turning` at rest
+  /// and where they are constant there, else in `floquet`; a note says so.
   std::optional<ModeFrame> frame = std::nullopt;
 };
 

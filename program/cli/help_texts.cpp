@@ -100,9 +100,10 @@ const char* const kModesText =
     R"(About the equilibrium of spoke static, in the frame that turns with the hub: eigenvalues of the
 linearised model, real ones at rest without damping, else complex ones. With --frame fixed as seen
 from outside, in multi-blade coordinates: collective, progressive and regressive modes of 3 or more
-equal blades; with --frame floquet of any blades, by harmonics, about the motion that gravity across
-the axis causes. A rotor on a support is seen from outside unless --frame says otherwise, with modes
-like "tower fore-aft". See docs/modes.md.
+equal blades, and the whirls of shafts; with --frame floquet of any blades, by harmonics, about the
+motion that gravity across the axis causes. A rotor on a support, and a shaft in bearings, are seen
+from outside unless --frame says otherwise, with modes like "tower fore-aft" and "whirl 1 forward".
+See docs/modes.md.
 
 Output files, in the folder of --out:
   modes.html  the chosen mode as a moving picture

@@ -136,9 +136,10 @@ void add_frames(CLI::App& command, const std::vector<std::string>& names, const 
 void add_frame(CLI::App& command, SteadyArguments& arguments) {
   add_frames(command, {"turning", "fixed", "floquet"},
              "From where vibrations are seen: turning with the hub; fixed:\n"
-             "from outside, of 3 or more equal blades; floquet: of any\n"
-             "blades, by harmonics [fixed on a support, or what its blades\n"
-             "allow; else turning]",
+             "from outside, of 3 or more equal blades, and round shafts;\n"
+             "floquet: of any blades and shafts, by harmonics [fixed on a\n"
+             "support and in bearings, or what the rotor allows; else\n"
+             "turning]",
              arguments);
 }
 

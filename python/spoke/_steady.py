@@ -25,8 +25,9 @@ def modes(scenario, *, set=None, speed=None, count=None, frame=None):
     count: how many, of each blade where blades do not couple, else of the whole model; None: 10, or
         as many as there are.
     frame: from where vibrations are seen, "turning" with the hub; "fixed": from outside, of three
-        or more equal blades; "floquet": of any blades, whose modes then have harmonics. In these
-        two count is of the whole model. None: "fixed" on a support, else "turning".
+        or more equal blades, and of round shafts; "floquet": of any, whose modes then have
+        harmonics. In these two count is of the whole model. None: "fixed" on a support and in
+        bearings, else "turning".
 
     Raises like equilibrium(), but for what nothing holds: that is a mode of frequency zero; and
     InputError if the frame is not for such a model.

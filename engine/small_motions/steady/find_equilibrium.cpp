@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "engine/small_motions/steady/alike_subsystems.h"
+#include "engine/small_motions/steady/balance_around.h"
 #include "engine/small_motions/steady/close_loops.h"
 #include "engine/small_motions/steady/derivatives.h"
 #include "engine/small_motions/steady/free_motion.h"
@@ -323,6 +324,7 @@ void add_wrench(SteadyModel& model, Equilibrium& result) {
   result.wrench = -model.hub_force(model.no_offset());
   for (std::size_t i = 0; i < model.subsystems(); ++i) {
     SubsystemResponse response;
+    require_balance_around(i, make_state(result, i), model);
     model.evaluate(i, make_state(result, i), model.no_offset(), response);
     result.wrench -= response.hub_force;
     result.force_scale += response.hub_force.lpNorm<Eigen::Infinity>();

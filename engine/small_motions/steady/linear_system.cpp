@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "engine/small_motions/steady/azimuths.h"
 #include "engine/small_motions/steady/linear_model.h"
 #include "engine/small_motions/steady/linear_support.h"
 #include "engine/small_motions/steady/load_effects.h"
@@ -37,6 +38,7 @@ MatrixXd to_columns(const std::vector<LoadEffect>& effects, Eigen::VectorXd Load
 /// Linearises a model; a rotor on a support, which must be at rest, on it.
 LinearModel linearize_standing(const Equilibrium& equilibrium, SteadyModel& model) {
   LinearModel linear = linearize_machine(equilibrium, model);
+  require_constant(linear, equilibrium, model);
   if (!linear.support) return linear;
   if (model.speed() != 0.0)
     throw InputError(

@@ -84,10 +84,28 @@ space::Pose pose_of(const AnchorModel& anchor) {
           space::exponential(anchor.to_axis * space::Position(rotation))};
 }
 
-/// Whether a loop on the hub's axis is the same at every angle of the hub: it leaves rotation about
-/// the axis, and its springs are alike all around.
+constexpr double kOff = 1e-12;  ///< sine of an angle, or share of a length, that is round-off
+
+/// Whether rigid rows of displacement hold the same motions at every angle of the hub: those along
+/// its axis, across it, or both.
+bool are_places_round(const LoopModel& loop, const space::Pose& to) {
+  Eigen::Matrix3d held = Eigen::Matrix3d::Zero();
+  for (const LoopRow& row : loop.rows) {
+    if (row.kind != LoopRow::Kind::displacement || !row.is_rigid()) continue;
+    const Eigen::Vector3d axis = to.R * row.axis;
+    held += axis * axis.transpose();
+  }
+  Eigen::Matrix3d quarter = Eigen::Matrix3d::Zero();
+  quarter << 0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0;
+  return (quarter * held - held * quarter).cwiseAbs().maxCoeff() < kOff;
+}
+
+/// Whether the rigid rows of a loop on the hub's axis are the same at every angle of the hub: they
+/// leave rotation about the axis.
 bool is_round(const LoopModel& loop, const space::Pose& to) {
-  constexpr double kOff = 1e-12;
+  if (std::none_of(loop.rows.begin(), loop.rows.end(),
+                   [](const LoopRow& row) { return row.is_rigid(); }))
+    return true;
   if (std::hypot(to.p.x(), to.p.y()) > kOff * (1.0 + std::abs(to.p.z()))) return false;
   const bool is_rigid = std::all_of(loop.rows.begin(), loop.rows.end(),
                                     [](const LoopRow& row) { return row.is_rigid(); });
@@ -95,7 +113,7 @@ bool is_round(const LoopModel& loop, const space::Pose& to) {
     case LoopKind::distance:
       return true;
     case LoopKind::spherical:
-      return is_rigid;
+      return are_places_round(loop, to);
     case LoopKind::revolute:
     case LoopKind::cylindrical: {
       // Its last two rows hold the directions across its axis.
@@ -123,6 +141,7 @@ const char* find_turning(const System<World>& system, const LoopPlaceModel& plac
   return anchor.frame == Anchor::Frame::mount ? "an anchor of the mount" : nullptr;
 }
 
+/// Refuses a loop whose rigid rows turn against the hub.
 template <class World>
 void require_steady(const System<World>& system, const LoopModel& loop, bool turns) {
   const char* carrier = find_turning(system, loop.to);
@@ -146,7 +165,25 @@ void require_steady(const System<World>& system, const LoopModel& loop, bool tur
         "that leaves rotation about it, an anchor that turns with the hub, or a hub at rest");
 }
 
+/// Returns whether springs of a loop are held by what turns against the hub.
+template <class World>
+bool has_standing_springs(const System<World>& system, const LoopModel& loop) {
+  if (!find_turning(system, loop.to)) return false;
+  if (loop.to.carrier == LoopPlace::Carrier::anchor &&
+      system.anchors[static_cast<std::size_t>(loop.to.anchor)].turns_with_hub)
+    return false;
+  return std::any_of(loop.rows.begin(), loop.rows.end(),
+                     [](const LoopRow& row) { return !row.is_rigid(); });
+}
+
 }  // namespace
+
+template <class World>
+std::string find_standing_springs(const System<World>& system, std::size_t subsystem) {
+  for (const LoopModel& loop : system.subsystems[subsystem].loops)
+    if (has_standing_springs(system, loop)) return loop.name;
+  return {};
+}
 
 template <class World>
 void hold_anchors(System<World>& system, bool turns, Instant instant) {
@@ -155,6 +192,8 @@ void hold_anchors(System<World>& system, bool turns, Instant instant) {
     for (const LoopModel& loop : subsystem.loops) require_steady(system, loop, turns);
 }
 
+template std::string find_standing_springs(const System<Plane>&, std::size_t);
+template std::string find_standing_springs(const System<Space>&, std::size_t);
 template void hold_anchors(System<Plane>&, bool, Instant);
 template void hold_anchors(System<Space>&, bool, Instant);
 

@@ -247,6 +247,9 @@ class SteadyModel {
 
   /// Returns the rows of the subsystem's loops.
   virtual const std::vector<ClosureRow>& closure_rows(std::size_t subsystem) const = 0;
+  /// Returns the name of a loop of the subsystem with springs against which the hub turns, as
+  /// bearings on the mount; empty: there is none, and nothing depends on the hub's azimuth.
+  virtual const std::string& standing_springs(std::size_t subsystem) const = 0;
   /// Returns a loop with its name: `loop "foot"`, or `coupling "gear"`.
   virtual std::string loop_words(std::size_t subsystem, std::size_t loop) const = 0;
   // At the state that was evaluated last.

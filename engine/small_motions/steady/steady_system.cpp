@@ -73,6 +73,9 @@ SteadySystem<World>::SteadySystem(const SystemMaker<World>& maker,
   find_nodes();
   for (std::size_t i = 0; i < subsystems(); ++i)
     rows_.push_back(list_rows(context_.system.subsystems[i], data(i)));
+  standing_springs_.resize(subsystems());
+  for (std::size_t i = 0; speed_ != 0.0 && i < subsystems(); ++i)
+    standing_springs_[i] = find_standing_springs(context_.system, i);
   set_undeformed();
 }
 

@@ -71,6 +71,9 @@ class SteadySystem final : public SteadyModel {
   const std::vector<ClosureRow>& closure_rows(std::size_t subsystem) const override {
     return rows_[subsystem];
   }
+  const std::string& standing_springs(std::size_t subsystem) const override {
+    return standing_springs_[subsystem];
+  }
   std::string loop_words(std::size_t subsystem, std::size_t loop) const override {
     const LoopModel& model = context_.system.subsystems[subsystem].loops[loop];
     return std::string(model.word()) + " \"" + model.name + '"';
@@ -128,6 +131,7 @@ class SteadySystem final : public SteadyModel {
   std::vector<std::vector<graph::NodeId>> terms_, solution_;
   std::vector<std::vector<SubsystemCoordinate>> coordinates_;
   std::vector<std::vector<ClosureRow>> rows_;
+  std::vector<std::string> standing_springs_;  ///< names of loops by subsystem, if the hub turns
   std::vector<std::vector<Eigen::VectorXd>> q_elastic_, v_elastic_;  ///< flex vectors by body
   std::vector<Eigen::MatrixXd> stiffness_;
   std::vector<Eigen::Matrix3d> tip_axes_;  ///< undeformed, by subsystem

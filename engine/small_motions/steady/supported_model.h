@@ -119,6 +119,9 @@ class SupportedModel final : public SteadyModel {
   const std::vector<ClosureRow>& closure_rows(std::size_t i) const override {
     return of(i).closure_rows(in(i));
   }
+  const std::string& standing_springs(std::size_t i) const override {
+    return of(i).standing_springs(in(i));
+  }
   std::string loop_words(std::size_t i, std::size_t loop) const override {
     return of(i).loop_words(in(i), loop);
   }

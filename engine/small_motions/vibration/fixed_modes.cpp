@@ -7,8 +7,11 @@
 #include <map>
 #include <utility>
 
+#include "engine/small_motions/steady/at_azimuth.h"
 #include "engine/small_motions/vibration/eigenvalues.h"
 #include "engine/small_motions/vibration/multi_blade.h"
+#include "engine/small_motions/vibration/shaft_names.h"
+#include "engine/small_motions/vibration/shaft_turn.h"
 #include "engine/small_motions/vibration/support_names.h"
 #include "models/error.h"
 
@@ -30,6 +33,9 @@ struct Fixed {
   double speed() const { return frame.axes.speed; }
   std::size_t first_of(std::size_t pattern) const {
     return frame.families[frame.patterns[pattern].family].blades[0];
+  }
+  bool is_shaft(std::size_t pattern) const {
+    return frame.families[frame.patterns[pattern].family].is_shaft();
   }
   /// Returns the motion of the first blade of a pattern that has these coordinates y.
   SubsystemShape shape_of(std::size_t pattern, const VectorXcd& y, const VectorXcd& hub) const {
@@ -96,6 +102,11 @@ PatternMotion describe_pattern(std::size_t k, const Root& root, const Fixed& fix
   if (pattern.is_pair)
     return describe_pair(first, root.x.segment(fixed.frame.start(k) + pattern.size, pattern.size),
                          frequency, pattern.multiple, fixed.speed(), M);
+  if (fixed.is_shaft(k)) {
+    const VectorXcd z = root.s.imag() < 0.0 ? VectorXcd(first.conjugate()) : first;
+    const SubsystemShape shape = fixed.shape_of(k, z, VectorXcd::Zero(fixed.frame.model.M.rows()));
+    return {z, calc_mass(z, M), frequency, 0, false, describe_shaft(shape, fixed.speed()).sense};
+  }
   return {first,     calc_mass(first, M),
           frequency, 0,
           false,     pattern.is_differential ? "differential" : "collective"};
@@ -171,6 +182,10 @@ Unnumbered describe(const Root& root, const Fixed& fixed, std::map<std::string, 
   const std::size_t i = fixed.first_of(found.pattern);
   const SubsystemShape shape =
       fixed.shape_of(found.pattern, found.motion.y, VectorXcd::Zero(hub.size()));
+  if (fixed.is_shaft(found.pattern)) {
+    found.kind = describe_shaft(shape, fixed.speed()).kind;
+    return found;
+  }
   found.kind =
       kinds[found.motion.name].name(list_independent(i, fixed.all.linear, fixed.all.model),
                                     found.motion.y, fixed.all.linear.subsystem(i).M, shape);
@@ -250,9 +265,47 @@ Mode make_fixed_mode(const Root& root, const Unnumbered& found, const Fixed& fix
   return mode;
 }
 
+/// Returns what the name of a pattern adds to that of a mode.
+std::string of_pattern(const std::string& name) { return name.empty() ? name : ' ' + name; }
+
 /// Whether a mode at zero goes on as it was set off: one that gyroscopic forces hold has a sense.
 bool goes_on(const Root& root) {
   return root.s == 0.0 && root.x.imag().squaredNorm() < 1e-6 * root.x.squaredNorm();
+}
+
+/// Throws InputError unless the matrices of shafts, as seen from outside, are constant; at rest
+/// they are.
+void require_round(const std::vector<Eigen::MatrixXd>& turns, const Linearised& all) {
+  const double psi = steady::kElsewhere, speed = all.model.speed();
+  if (speed == 0.0) return;
+  LinearModel turned;
+  const bool depends = steady::depends_on_azimuth(all.model);
+  if (depends) turned = steady::linearize_at(psi, all.equilibrium, all.model);
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    if (turns[i].size() == 0) continue;
+    const steady::LinearSubsystem& here = all.linear.subsystem(i);
+    if (!are_same(with_sizes(stand_shaft(here, turns[i], speed)),
+                  stand_shaft_at(psi, depends ? turned.subsystem(i) : here, turns[i], speed),
+                  speed))
+      throw InputError(
+          "the frame \"fixed\" expects shafts whose mass and stiffness are alike in all directions "
+          "across the hub's axis, as those of " +
+          all.model.name_of(i) + " are not: of modes the frame \"floquet\" takes any shafts");
+  }
+}
+
+/// Returns how shafts turn, by subsystem: of what is not one of three or more that are alike.
+std::vector<Eigen::MatrixXd> find_turns(const Linearised& all) {
+  std::vector<Eigen::MatrixXd> turns(all.model.subsystems());
+  bool has_shaft = false;
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    if (all.model.stands(i) || find_like(all.linear.alike[i], all.linear.alike).size() > 2)
+      continue;
+    turns[i] = find_turn(i, all);
+    has_shaft |= turns[i].size() > 0;
+  }
+  if (has_shaft) require_round(turns, all);
+  return turns;
 }
 
 }  // namespace
@@ -262,7 +315,8 @@ FixedFrame see_from_outside(const Linearised& all) {
   for (std::size_t i = 0; i < all.model.subsystems(); ++i) names.push_back(all.model.name_of(i));
   FixedFrame rotor = make_fixed_frame(
       all.linear, all.model.azimuths(), names,
-      make_standing_axes(all.model.free_components(), all.model.is_spatial(), all.model.speed()));
+      make_standing_axes(all.model.free_components(), all.model.is_spatial(), all.model.speed()),
+      find_turns(all));
   if (!all.linear.support) return rotor;
   const steady::LinearSupport& support = *all.linear.support;
   return stand_on(rotor, support.J, {support.M, support.C, support.K});
@@ -297,7 +351,7 @@ void add_fixed_modes(const ModeCount& count, const Linearised& all, ModesResult&
     else if (modes[k].is_of_hub)
       hub.name(mode.kind, mode);
     else
-      mode.name = mode.kind + ' ' + std::to_string(numbers[k]) + ' ' + modes[k].motion.name;
+      mode.name = mode.kind + ' ' + std::to_string(numbers[k]) + of_pattern(modes[k].motion.name);
     result.modes.push_back(std::move(mode));
   }
 }

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <string>
 #include <utility>
 
+#include "engine/small_motions/steady/azimuths.h"
 #include "engine/small_motions/vibration/floquet.h"
 #include "engine/small_motions/vibration/periodic_orbit.h"
 #include "engine/small_motions/vibration/support_names.h"
@@ -115,13 +117,35 @@ Mode make_periodic_mode(const PeriodicMode& periodic, const Periodically& rotor,
   return mode;
 }
 
+/// Takes a rotor to standing axes at the hub. What springs do that its hub turns against, which
+/// meet the axes of the hub twice, is of second degree, beside turning the hub's own coordinates
+/// and equations.
+PeriodicSystem make_periodic_of(const Linearised& all, const StandingAxes& axes) {
+  constexpr int kParts = 9;
+  PeriodicSystem system = make_periodic(all.linear, axes);
+  if (!steady::depends_on_azimuth(all.model)) return system;
+  std::vector<Eigen::MatrixXd> M, C, K;
+  for (int k = 0; k < kParts; ++k) {
+    const double psi = 2.0 * std::numbers::pi * k / kParts;
+    const PeriodicSystem there =
+        make_periodic(steady::linearize_at(psi, all.equilibrium, all.model), axes);
+    M.push_back(there.M.at(psi));
+    C.push_back(there.C.at(psi));
+    K.push_back(there.K.at(psi));
+  }
+  system.M = interpolate(M);
+  system.C = interpolate(C);
+  system.K = interpolate(K);
+  return system;
+}
+
 }  // namespace
 
 void add_floquet_modes(const ModeCount& count, const Linearised& all, steady::SteadyModel* whole,
                        ModesResult& result) {
   const StandingAxes axes =
       make_standing_axes(all.model.free_components(), all.model.is_spatial(), all.model.speed());
-  PeriodicSystem system = make_periodic(all.linear, axes);
+  PeriodicSystem system = make_periodic_of(all, axes);
   if (const auto& support = all.linear.support)
     system = stand_on(system, support->J, {support->M, support->C, support->K});
   if (system.size() == 0)

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "engine/small_motions/steady/linear_support.h"
+#include "engine/small_motions/vibration/shaft_turn.h"
 #include "models/error.h"
 
 namespace spoke::vibration {
@@ -52,10 +53,14 @@ void require_even(const BladeFamily& family, const std::vector<std::string>& nam
 
 std::vector<BladeFamily> find_families(const LinearModel& model,
                                        const std::vector<double>& azimuths,
-                                       const std::vector<std::string>& names) {
+                                       const std::vector<std::string>& names,
+                                       const std::vector<MatrixXd>& turns) {
   std::vector<BladeFamily> families;
+  const auto is_shaft = [&](std::size_t i) { return !turns.empty() && turns[i].size() > 0; };
   for (std::size_t first = 0; first < model.alike.size(); ++first) {
-    if (model.alike[first] != first || model.subsystem(first).M.rows() == 0) continue;
+    if (is_shaft(first)) families.push_back({{first}, {azimuths[first]}, turns[first]});
+    if (model.alike[first] != first || model.subsystem(first).M.rows() == 0 || is_shaft(first))
+      continue;
     BladeFamily& family = families.emplace_back();
     for (std::size_t i = first; i < model.alike.size(); ++i)
       if (model.alike[i] == first) family.blades.push_back(i);
@@ -184,7 +189,24 @@ void add_hub(const LinearModel& turning, const StandingAxes& axes, LinearModel& 
   fixed.round_off = turning.round_off;
 }
 
-/// Adds the patterns of a family.
+/// Adds the pattern of a shaft, which couples with the hub alike at every azimuth, as it is round.
+void add_shaft(std::size_t number, const LinearModel& turning, const StandingAxes& axes,
+               FixedFrame& frame) {
+  const BladeFamily& family = frame.families[number];
+  const std::size_t i = family.blades[0];
+  const LinearSubsystem& one = turning.subsystem(i);
+  LinearModel& model = frame.model;
+  model.alike.push_back(model.subsystems.size());
+  model.subsystems.push_back(stand_shaft(one, family.turn, axes.speed));
+  frame.patterns.push_back({number, 0, false, false, one.M.rows()});
+  if (!turning.is_coupled()) return;
+  const HubCoupling& both = turning.couplings[i];
+  model.couplings.push_back(make_coupling(
+      stand_columns({both.M_bh, both.C_bh, both.K_bh}, axes),
+      stand_columns({both.M_hb, both.C_hb, both.K_hb}, MatrixXd(axes.speed * family.turn))));
+}
+
+/// Adds the patterns of a family of blades.
 void add_family(std::size_t number, const LinearModel& turning, const StandingAxes& axes,
                 FixedFrame& frame) {
   const BladeFamily& family = frame.families[number];
@@ -236,6 +258,8 @@ Eigen::VectorXcd FixedFrame::motion_of(std::size_t subsystem, const Eigen::Vecto
     const std::vector<std::size_t>& blades = families[pattern.family].blades;
     const auto found = std::find(blades.begin(), blades.end(), subsystem);
     if (found == blades.end()) continue;
+    if (families[pattern.family].is_shaft())
+      return turn_by(families[pattern.family].turn, -psi) * x.segment(start(k), pattern.size);
     const Eigen::Vector2d share = shares(k, static_cast<std::size_t>(found - blades.begin()), psi);
     if (y.size() == 0) y = Eigen::VectorXcd::Zero(pattern.size);
     y += share[0] * x.segment(start(k), pattern.size);
@@ -245,14 +269,18 @@ Eigen::VectorXcd FixedFrame::motion_of(std::size_t subsystem, const Eigen::Vecto
 }
 
 FixedFrame make_fixed_frame(const LinearModel& turning, const std::vector<double>& azimuths,
-                            const std::vector<std::string>& names, const StandingAxes& axes) {
+                            const std::vector<std::string>& names, const StandingAxes& axes,
+                            const std::vector<MatrixXd>& turns) {
+  assert(turns.empty() || turns.size() == turning.alike.size());
   assert(azimuths.size() == turning.alike.size() && names.size() == turning.alike.size());
   FixedFrame frame;
   frame.axes = axes;
-  frame.families = find_families(turning, azimuths, names);
+  frame.families = find_families(turning, azimuths, names, turns);
   frame.model.rate = turning.rate;
   if (turning.is_coupled()) add_hub(turning, axes, frame.model);
-  for (std::size_t k = 0; k < frame.families.size(); ++k) add_family(k, turning, axes, frame);
+  for (std::size_t k = 0; k < frame.families.size(); ++k)
+    frame.families[k].is_shaft() ? add_shaft(k, turning, axes, frame)
+                                 : add_family(k, turning, axes, frame);
   return frame;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 // Multi-blade coordinates (Coleman's): three or more equal blades at equal angles, seen from
-// outside, have constant matrices on whatever their hub stands.
+// outside, have constant matrices on whatever their hub stands. So has a shaft (shaft_turn.h).
 //
 // With psi_b the azimuth of blade b, which grows with the rotation, and y_b its coordinates,
 //
@@ -18,13 +18,17 @@
 
 namespace spoke::vibration {
 
-/// Blades that are alike and stand at equal angles.
+/// Blades that are alike and stand at equal angles; or a shaft, which is a family of its own.
 struct BladeFamily {
   std::vector<std::size_t> blades;  ///< subsystems, by ascending azimuth
   std::vector<double> azimuths;     ///< of these, at azimuth zero of the hub [rad]
+  Eigen::MatrixXd turn{};           ///< of a shaft: see find_turn(); empty: it is none
+
+  bool is_shaft() const { return turn.size() > 0; }
 };
 
-/// Coordinates of a family that go together: a_0, a pair a_nc and a_ns below one another, or a_d.
+/// Coordinates of a family that go together: a_0, a pair a_nc and a_ns below one another, or a_d;
+/// those of a shaft as it is seen from outside, of multiple 0.
 struct BladePattern {
   std::size_t family = 0;
   int multiple = 0;              ///< n; N/2 of a_d
@@ -56,11 +60,13 @@ struct FixedFrame {
 
 /// Takes a rotor, linearised in the frame that turns with its hub, to multi-blade coordinates.
 /// `azimuths`, `names`: of its subsystems, the latter for messages; `axes`: of the hub's
-/// coordinates. Throws InputError, which says what to use instead, unless all subsystems with
+/// coordinates; `turns`: by subsystem that of find_turn() if it is a shaft with constant matrices,
+/// else empty. Throws InputError, which says what to use instead, unless all other subsystems with
 /// coordinates are alike in families of three or more at equal angles, and the hub is alike in all
 /// directions across its axis.
 FixedFrame make_fixed_frame(const steady::LinearModel& turning, const std::vector<double>& azimuths,
-                            const std::vector<std::string>& names, const StandingAxes& axes);
+                            const std::vector<std::string>& names, const StandingAxes& axes,
+                            const std::vector<Eigen::MatrixXd>& turns = {});
 
 /// Puts a rotor on something that moves the hub by x = J z and has matrices of its own: hub
 /// coordinates become z, and its matrices support + J^T rotor J. `support`: about the steady state

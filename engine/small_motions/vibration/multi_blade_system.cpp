@@ -13,6 +13,7 @@
 #include "engine/small_motions/vibration/multi_blade_inputs.h"
 #include "engine/small_motions/vibration/multi_blade_outputs.h"
 #include "engine/support/dense.h"
+#include "models/error.h"
 
 namespace spoke::vibration {
 namespace {
@@ -358,7 +359,14 @@ void MultiBladeAssembly::add_hub_outputs() {
 LinearSystem MultiBladeAssembly::make() {
   result_.frame = ModeFrame::fixed;
   const std::size_t families = frame_.families.size();
-  for (std::size_t f = 0; f < families; ++f) amplitudes_.push_back(list_amplitudes(f));
+  for (std::size_t f = 0; f < families; ++f) {
+    if (frame_.families[f].is_shaft())
+      throw InputError("the frame \"fixed\" expects blades, got the shaft " +
+                       all_.model.name_of(frame_.families[f].blades[0]) +
+                       ", whose sensors and loads turn with it: expected \"turning\", with "
+                       "bearings that are alike in all directions");
+    amplitudes_.push_back(list_amplitudes(f));
+  }
   name_states();
   for (std::size_t f = 0; f < families; ++f) add_blade_inputs(f);
   add_standing_inputs();

@@ -4,6 +4,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <numbers>
 
 namespace spoke::vibration {
 namespace {
@@ -93,6 +94,22 @@ PeriodicSystem make_periodic(const steady::LinearModel& turning, const StandingA
     add(axes.T * both.K_hb, 0, at, system.K);
   }
   return system;
+}
+
+Periodic interpolate(const std::vector<MatrixXd>& values) {
+  assert(values.size() % 2 == 1);
+  const double count = static_cast<double>(values.size());
+  Periodic sum{
+      std::vector<MatrixXd>(values.size(), MatrixXd::Zero(values[0].rows(), values[0].cols()))};
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const double psi = 2.0 * std::numbers::pi * static_cast<double>(k) / count;
+    sum.parts[0] += values[k] / count;
+    for (std::size_t p = 1; p < values.size(); ++p) {
+      const double angle = psi * static_cast<double>((p + 1) / 2);
+      sum.parts[p] += 2.0 / count * (p % 2 == 1 ? std::cos(angle) : std::sin(angle)) * values[k];
+    }
+  }
+  return sum;
 }
 
 PeriodicSystem stand_on(const PeriodicSystem& rotor, const MatrixXd& J,

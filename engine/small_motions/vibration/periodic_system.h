@@ -39,6 +39,10 @@ struct PeriodicSystem {
 /// This is exact: turning the hub's coordinates and its equations is of first degree each.
 PeriodicSystem make_periodic(const steady::LinearModel& turning, const StandingAxes& axes);
 
+/// Takes matrices that were found at 2 n + 1 equal parts of a turn, from azimuth zero on, to a
+/// polynomial of degree n.
+Periodic interpolate(const std::vector<Eigen::MatrixXd>& values);
+
 /// Puts a rotor on something that moves the hub by x = J z and has matrices of its own, as
 /// stand_on() of multi-blade coordinates does.
 PeriodicSystem stand_on(const PeriodicSystem& rotor, const Eigen::MatrixXd& J,

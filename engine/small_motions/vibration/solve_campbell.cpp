@@ -9,6 +9,7 @@
 
 #include "engine/campbell.h"
 #include "engine/small_motions/steady/steady_speed.h"
+#include "engine/small_motions/vibration/choose_frame.h"
 #include "engine/small_motions/vibration/follow_modes.h"
 #include "engine/small_motions/vibration/solve_modes.h"
 #include "graph/executor.h"

@@ -12,11 +12,13 @@
 #include <utility>
 
 #include "engine/critical.h"
+#include "engine/small_motions/steady/azimuths.h"
 #include "engine/small_motions/steady/linear_model.h"
 #include "engine/small_motions/steady/linear_support.h"
 #include "engine/small_motions/steady/relaxing_joints.h"
 #include "engine/small_motions/steady/steady_speed.h"
 #include "engine/small_motions/steady/steady_warnings.h"
+#include "engine/small_motions/vibration/choose_frame.h"
 #include "engine/small_motions/vibration/equilibrium_path.h"
 #include "engine/small_motions/vibration/fixed_modes.h"
 #include "engine/small_motions/vibration/follow_modes.h"
@@ -185,6 +187,7 @@ class Search {
           vibration::see_from_outside({*place->model, place->equilibrium, linear}), count());
       return {std::move(place), std::move(linear), stability};
     }
+    steady::require_constant(linear, place->equilibrium, *place->model);
     if (linear.support) steady::stand_on(*linear.support, linear);
     const RootStability stability =
         vibration::assess_stability(linear, place->model->azimuths(), count());

@@ -9,6 +9,7 @@
 #include "engine/small_motions/steady/steady_speed.h"
 #include "engine/small_motions/steady/steady_warnings.h"
 #include "engine/small_motions/steady/supported_model.h"
+#include "engine/small_motions/vibration/choose_frame.h"
 #include "engine/small_motions/vibration/solve_modes.h"
 #include "models/error.h"
 #include "models/reader/scenario_check.h"

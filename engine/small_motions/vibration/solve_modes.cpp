@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "engine/modes.h"
+#include "engine/small_motions/steady/azimuths.h"
 #include "engine/small_motions/steady/describe_equilibrium.h"
 #include "engine/small_motions/steady/friction_at_rest.h"
 #include "engine/small_motions/steady/linear_model.h"
@@ -15,6 +16,7 @@
 #include "engine/small_motions/steady/steady_speed.h"
 #include "engine/small_motions/steady/steady_warnings.h"
 #include "engine/small_motions/steady/supported_model.h"
+#include "engine/small_motions/vibration/choose_frame.h"
 #include "engine/small_motions/vibration/coupled_roots.h"
 #include "engine/small_motions/vibration/equal_roots.h"
 #include "engine/small_motions/vibration/fixed_modes.h"
@@ -264,6 +266,7 @@ ModesResult vibration::make_modes(const LinearModel& linear, const Equilibrium& 
     vibration::add_floquet_modes(count, all, whole, result);
     return result;
   }
+  steady::require_constant(linear, equilibrium, model);
   if (linear.is_coupled()) {
     add_coupled_modes(count, all, result);
     return result;
@@ -277,21 +280,26 @@ ModesResult vibration::make_modes(const LinearModel& linear, const Equilibrium& 
   return result;
 }
 
-ModeFrame vibration::choose_frame(const Scenario& scenario, std::optional<ModeFrame> asked) {
-  if (asked) return *asked;
-  return scenario.space && scenario.space->support ? ModeFrame::fixed : ModeFrame::turning;
-}
-
 namespace {
 
-/// Returns why a rotor that is not seen as a whole has no multi-blade coordinates; empty: it has.
-std::string find_refusal(const Linearised& all) {
+/// Returns why a model has no constant matrices in the frame "turning" or "fixed"; empty: it has.
+std::string find_refusal(ModeFrame frame, const Linearised& all) {
   try {
-    vibration::see_from_outside(all);
+    if (frame == ModeFrame::fixed)
+      vibration::see_from_outside(all);
+    else
+      steady::require_constant(all.linear, all.equilibrium, all.model);
     return {};
   } catch (const InputError& error) {
     return error.what();
   }
+}
+
+/// Returns the frame for modes of a model that has none in the frame "fixed".
+ModeFrame choose_other_frame(const Linearised& all) {
+  if (all.model.speed() == 0.0) return ModeFrame::turning;
+  const bool is_constant = !all.linear.support && find_refusal(ModeFrame::turning, all).empty();
+  return is_constant ? ModeFrame::turning : ModeFrame::floquet;
 }
 
 /// Says that air at rest acts.
@@ -318,12 +326,14 @@ ModesResult solve_in(ModeFrame frame, bool is_asked, const Scenario& scenario, d
   steady::require_steady_machine(*model, equilibrium);
   LinearModel linear = steady::linearize_machine(equilibrium, *model);
   if (frame == ModeFrame::fixed && !is_asked) {
-    if (const std::string why = find_refusal({*model, equilibrium, linear}); !why.empty()) {
-      const ModeFrame other = speed == 0.0 ? ModeFrame::turning : ModeFrame::floquet;
+    const Linearised all{*model, equilibrium, linear};
+    if (const std::string why = find_refusal(frame, all); !why.empty()) {
+      const ModeFrame other = choose_other_frame(all);
       ModesResult result = solve_in(other, true, scenario, speed, count);
-      result.notes.push_back((speed == 0.0
-                                  ? "modes are in the frame \"turning\", the model being at rest: "
-                                  : "modes are in the frame \"floquet\": ") +
+      const std::string frame_used = other == ModeFrame::floquet ? "\"floquet\""
+                                     : speed == 0.0 ? "\"turning\", the model being at rest"
+                                                    : "\"turning\"";
+      result.notes.push_back("modes are in the frame " + frame_used + ": " +
                              why.substr(0, why.find(':')));
       return result;
     }

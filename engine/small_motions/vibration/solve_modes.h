@@ -19,9 +19,6 @@ ModesResult make_modes(const steady::LinearModel& linear, const steady::Equilibr
                        ModeFrame frame, const ModeCount& count, steady::SteadyModel& model,
                        steady::SteadyModel* whole = nullptr);
 
-/// Returns the frame that is asked for, or the usual one of the scenario: see ModeOptions.
-ModeFrame choose_frame(const Scenario& scenario, std::optional<ModeFrame> asked);
-
 ModesResult solve_modes(const Scenario& scenario, const SteadyState& state,
                         std::optional<ModeFrame> frame, const ModeCount& count);
 

@@ -32,7 +32,10 @@ StandingAxes make_standing_axes(const std::vector<int>& components, bool is_spat
 }
 
 SecondOrder stand_columns(const SecondOrder& columns, const StandingAxes& axes) {
-  const MatrixXd& W = axes.W;
+  return stand_columns(columns, axes.W);
+}
+
+SecondOrder stand_columns(const SecondOrder& columns, const MatrixXd& W) {
   return {columns.M, columns.C - 2.0 * columns.M * W,
           columns.K - columns.C * W + columns.M * W * W};
 }

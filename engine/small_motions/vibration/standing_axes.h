@@ -37,5 +37,7 @@ struct SecondOrder {
 /// x = T^T z, x' = T^T (z' - W z), x'' = T^T (z'' - 2 W z' + W^2 z),
 /// they are (M, C - 2 M W, K - C W + M W^2), which T^T must follow.
 SecondOrder stand_columns(const SecondOrder& columns, const StandingAxes& axes);
+/// The same with W given, of coordinates of any kind.
+SecondOrder stand_columns(const SecondOrder& columns, const Eigen::MatrixXd& W);
 
 }  // namespace spoke::vibration
