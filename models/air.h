@@ -3,6 +3,7 @@
 // Air around rotors in space: wind, aerofoils, the aerodynamics of blades, and how induction,
 // inflow and stall are modelled.
 
+#include <Eigen/Core>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,6 +46,19 @@ struct BladeAerodynamics {
   bool leads_backward = false;       ///< the leading edge is towards -y: the rotor turns about -z
 
   friend bool operator==(const BladeAerodynamics&, const BladeAerodynamics&) = default;
+};
+
+/// Drag of a body of a subsystem or a support in the wind, rho its density and v its velocity
+/// against the body.
+///
+/// Of a beam it acts across the axis: 1/2 rho c d |v| v on a unit of length, with the part of v
+/// across the axis. Of a rigid body it is 1/2 rho |v| A v at a point, A by the axes of its frame.
+struct BodyDrag {
+  std::vector<double> station;      ///< of a beam, from its root, ascending, two or more [m]
+  std::vector<double> diameter;     ///< by station, linear between: width across the flow d [m]
+  std::vector<double> coefficient;  ///< likewise, c
+  Eigen::Vector3d area = Eigen::Vector3d::Zero();   ///< of a rigid body: coefficient by area [m^2]
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< of a rigid body, in its frame [m]
 };
 
 /// How the rotor's own induced velocity is found.

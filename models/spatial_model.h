@@ -262,6 +262,7 @@ struct Blade {
 struct Body {
   std::string name{};  ///< name, unlike that of any other body of the subsystem
   std::variant<Beam, RigidBody, SolidBody> shape{};  ///< a beam, a rigid body or a solid
+  std::optional<BodyDrag> drag = std::nullopt;       ///< of a beam or a rigid body, in air
 };
 
 /// A joint of a subsystem. Every body is the child of one joint.

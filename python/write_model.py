@@ -61,6 +61,7 @@ FUNCTIONS = {
     "turbulence": (["wind.turbulence"], "Turbulence of the wind."),
     "aerodynamics": (["aerodynamics"], "How induction, inflow and stall are modelled, in space."),
     "blade_aerodynamics": (["blade.aerodynamics"], "Chords and aerofoils of a blade."),
+    "body_drag": (["subsystem.body.drag"], "Drag of a beam or a rigid body in the wind."),
     "airfoil": (["airfoil"], "An aerofoil."),
     "polar": (["airfoil.polar"], "Coefficients of an aerofoil at one Reynolds number."),
     "initial": (["initial"], "Where the simulation starts."),

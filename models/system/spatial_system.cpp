@@ -11,6 +11,7 @@
 
 #include "models/air/blade_polars.h"
 #include "models/error.h"
+#include "models/system/make_drag.h"
 #include "models/system/shared_bodies.h"
 #include "models/system/spatial_loads.h"
 #include "models/system/spatial_subsystem.h"
@@ -296,8 +297,14 @@ const BladeAirModel* find_alike(const spatial::BladeAerodynamics& aerodynamics,
   return nullptr;
 }
 
-/// Lets air act on the blades that have aerodynamics.
-void add_air(const spatial::Model& model, System<Space>& system) {
+/// Returns the description of the bodies of a tree that is no blade's.
+const std::vector<spatial::Body>& bodies_of_tree(const spatial::Model& model, std::size_t tree) {
+  return model.subsystems[tree - model.blades.size()].bodies;
+}
+
+/// Lets air act on the blades that have aerodynamics, and on bodies that have drag.
+void add_air(const spatial::Model& model, const std::vector<spatial::Tree>& trees,
+             System<Space>& system) {
   const auto air = std::make_shared<const spatial::Air>(*model.air);
   system.wind = make_wind(air->wind);
   const auto count_in_air = [&model](int rotor) {
@@ -311,6 +318,9 @@ void add_air(const spatial::Model& model, System<Space>& system) {
       system.subsystems[i].air =
           make_blade_air(blade, air, hub_of(model, blade.rotor).radius, count_in_air(blade.rotor),
                          find_alike(*blade.aerodynamics, system.subsystems), system.subsystems[i]);
+  for (std::size_t i = model.blades.size(); i < trees.size(); ++i)
+    system.subsystems[i].drag =
+        make_drag(bodies_of_tree(model, i), trees[i], system.subsystems[i], air->density);
 }
 
 }  // namespace
@@ -351,7 +361,7 @@ System<Space> make_system(const spatial::Model& model, const std::vector<spatial
     const bool is_of_base = model.support && anchor.frame == Anchor::Frame::mount;
     system.anchors.push_back(make_anchor(anchor, is_of_base ? space::Rotation{} : to_axis));
   }
-  if (model.air) add_air(model, system);
+  if (model.air) add_air(model, trees, system);
   require_azimuth(system);
   return system;
 }
@@ -378,6 +388,11 @@ System<Space> make_support_alone(const spatial::Model& model,
       make_body_loads(model, tree, trees.size() - 1), bodies));
   for (const Anchor& anchor : model.anchors)
     system.anchors.push_back(make_anchor(anchor, space::Rotation{}));
+  if (!model.air) return system;
+  Subsystem<Space>& support = system.subsystems.back();
+  support.drag =
+      make_drag(bodies_of_tree(model, trees.size() - 1), tree, support, model.air->density);
+  if (support.drag) system.wind = make_wind(model.air->wind);
   return system;
 }
 

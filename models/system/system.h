@@ -16,6 +16,7 @@
 #include "models/system/beam_modes.h"
 #include "models/system/blade_air_model.h"
 #include "models/system/blade_loads.h"
+#include "models/system/drag_model.h"
 #include "models/system/loop_model.h"
 #include "models/wind.h"
 
@@ -69,6 +70,7 @@ struct Subsystem {
   std::vector<TreeBody<World>> bodies;
   std::vector<LoopModel> loops;
   std::shared_ptr<const BladeAirModel> air;  ///< null: none acts on it; always in the plane
+  std::shared_ptr<const DragModel> drag;     ///< likewise, of its bodies in the wind
   std::vector<PitchControl> controls;        ///< controllers that move joints of it
   /// Factors f of the modes that damp its beams, beam by beam: D = b K + sum f w w^T [1/s].
   std::vector<double> modal_factors;

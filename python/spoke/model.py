@@ -69,6 +69,7 @@ __all__ = [
     "blade",
     "blade_aerodynamics",
     "body",
+    "body_drag",
     "coupled_joint",
     "coupling",
     "course",
@@ -506,8 +507,8 @@ def subsystem(*, name, azimuth=None, rotor=None, count=None, body=None, joint=No
 
 
 def body(*, name, kind, length=None, bodies=None, elements=None, sections=None,
-         reference_frame=None, geometric_stiffening=None, strain=None, point_mass=None, mass=None,
-         center=None, spin=None, inertia=None, mesh=None, material=None, scale=None,
+         reference_frame=None, geometric_stiffening=None, strain=None, point_mass=None, drag=None,
+         mass=None, center=None, spin=None, inertia=None, mesh=None, material=None, scale=None,
          coordinates=None, modes=None, up_to=None, damping=None, interface=None, format=None,
          stiffness=None, nodes=None, geometric_stiffness=None):
     """A body of a tree: a beam, a rigid body or a solid.
@@ -536,6 +537,7 @@ def body(*, name, kind, length=None, bodies=None, elements=None, sections=None,
     point_mass: masses that the blade carries, below
     name: unlike that of any other of the subsystem, and not "hub"
     kind: "beam", "rigid" or "solid", below
+    drag: drag in the wind, of a beam or a rigid body
     mass: of a rigid body [kg]; or: file of the mass matrix
     center: of a rigid body: centre of mass in the body's frame [m]
     spin: of a rigid body: angular momentum of what spins inside it (a wheel, a propeller), relative
@@ -887,6 +889,19 @@ def blade_aerodynamics(*, station, chord, airfoil, twist=None, center=None, lead
     airfoil: names of aerofoils, or files of polars, relative to the scenario
     leading_edge: "+y": the leading edge looks along the section's y axis, as on a rotor that turns
         about its axis in the positive sense; "-y": about it in the negative sense
+    """
+    return _given(locals())
+
+
+def body_drag(*, station=None, diameter=None, coefficient=None, area=None, point=None):
+    """Drag of a beam or a rigid body in the wind.
+
+    station: of a beam: distances from its root, ascending [m]
+    diameter: of a beam: its width across the flow [m]
+    coefficient: of a beam: of drag, by diameter
+    area: of a rigid body: coefficient of drag times area, for flow along each axis of its frame
+        [m^2]
+    point: of a rigid body: where drag acts, in its frame [m]
     """
     return _given(locals())
 

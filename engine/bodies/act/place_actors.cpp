@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "engine/bodies/act/air/air_on_blades.h"
+#include "engine/bodies/act/drag/drag_on_bodies.h"
 #include "engine/bodies/act/pitch_control/pitch_controllers.h"
 #include "engine/bodies/act/relaxing_springs/relaxing_springs.h"
 
@@ -28,6 +29,7 @@ void place_actors(const System<Space>& system, StepData<Space>& data) {
   place<AirOnBlades>(system, data);
   place<PitchControllers>(system, data);
   place<RelaxingSprings>(system, data);
+  place<DragOnBodies>(system, data);
 }
 
 }  // namespace spoke

@@ -62,7 +62,8 @@ void spin_generators(double speed, spatial::Tree& support) {
   }
 }
 
-std::shared_ptr<const Machine> make_machine(const spatial::Model& model,
+/// `at_places`: the wind at each place that stands; null: that of the model.
+std::shared_ptr<const Machine> make_machine(const spatial::Model& model, const Wind* at_places,
                                             const SteadyOptions& options) {
   auto made = std::make_shared<Machine>();
   std::vector<spatial::Tree> trees = build_trees(model);
@@ -72,6 +73,7 @@ std::shared_ptr<const Machine> make_machine(const spatial::Model& model,
   spin_generators(options.speed, trees.back());
   const solid::Control control{{}, available_memory()};
   made->support = make_support_alone(model, trees, made->ballast, control);
+  if (made->support.wind && at_places) made->support.wind = make_wind(*at_places);
   hold_mount(made->support.hub, options.instant);
   made->rotor = make_system(without_support(model), made->rotor_trees, control);
   // All parts of a machine that is free fall alike.
@@ -141,10 +143,10 @@ std::unique_ptr<SteadyModel> make_rotor(const Machine& machine, const Eigen::Mat
   return make_part(placed, sensors, machine.rotor_trees, blades, loops, options);
 }
 
-std::unique_ptr<SteadyModel> make_supported(const Scenario& scenario,
+std::unique_ptr<SteadyModel> make_supported(const Scenario& scenario, const Wind* at_places,
                                             const SteadyOptions& options) {
   const spatial::Model& model = *scenario.space;
-  const std::shared_ptr<const Machine> machine = make_machine(model, options);
+  const std::shared_ptr<const Machine> machine = make_machine(model, at_places, options);
   const LoopLimits loops = make_loop_limits(scenario.integration);
   SupportedParts parts;
   parts.rotor = [=, sensors = choose_sensors(scenario.sensors, false),
@@ -205,12 +207,13 @@ void require_free_axles(const spatial::Model& model) {
 }
 
 /// Pitch by the azimuth has a mean whether a drive or torque turns the hub.
-std::unique_ptr<SteadyModel> make_spatial(const Scenario& scenario, const SteadyOptions& options) {
+std::unique_ptr<SteadyModel> make_spatial(const Scenario& scenario, const Wind* at_places,
+                                          const SteadyOptions& options) {
   const spatial::Model& model = *scenario.space;
   require_one_rotor(model);
   require_hub_anchors(model);
   require_free_axles(model);
-  if (model.support) return make_supported(scenario, options);
+  if (model.support) return make_supported(scenario, at_places, options);
   const std::vector<spatial::Tree> trees = build_trees(model);
   System<Space> system = make_system(model, trees, {{}, available_memory()});
   hold_mount(system.hub, options.instant);
@@ -225,11 +228,11 @@ std::unique_ptr<SteadyModel> make_steady_model(const Scenario& scenario,
                                                const SteadyOptions& options) {
   if (!scenario.space) return make_planar(scenario, options);
   if (has_friction(scenario)) return make_steady_model(with_friction_at_rest(scenario), options);
-  if (has_changing_wind(scenario))
-    return make_spatial(in_mean_wind(scenario, options.instant,
-                                     options.is_whole ? WindPlaces::all : WindPlaces::hub),
-                        options);
-  return make_spatial(scenario, options);
+  if (!has_changing_wind(scenario)) return make_spatial(scenario, nullptr, options);
+  const Scenario of_places = in_mean_wind(scenario, options.instant, WindPlaces::all);
+  const Wind& wind = of_places.space->air->wind;
+  if (options.is_whole) return make_spatial(of_places, &wind, options);
+  return make_spatial(in_mean_wind(scenario, options.instant, WindPlaces::hub), &wind, options);
 }
 
 std::unique_ptr<SteadyModel> make_rotor_model(const Scenario& scenario,
@@ -241,8 +244,8 @@ std::unique_ptr<SteadyModel> make_rotor_model(const Scenario& scenario,
   if (has_friction(scenario)) return make_rotor_model(with_friction_at_rest(scenario), options);
   if (has_changing_wind(scenario))
     return make_rotor_model(in_mean_wind(scenario, options.instant, WindPlaces::hub), options);
-  if (!scenario.space->support) return make_spatial(scenario, options);
-  const std::shared_ptr<const Machine> machine = make_machine(*scenario.space, options);
+  if (!scenario.space->support) return make_spatial(scenario, nullptr, options);
+  const std::shared_ptr<const Machine> machine = make_machine(*scenario.space, nullptr, options);
   const spatial::Placement hub = calc_placements(machine->support_tree.front()).back();
   const space::Rotation base = make_rotation(machine->support.hub.orientation);
   return make_rotor(*machine, (base * space::Rotation{hub.rotation}).axes,

@@ -84,7 +84,7 @@ template <class World>
 void SteadySystem<World>::blow(bool is_axial, bool is_whole) {
   if constexpr (std::is_same_v<World, Space>) {
     System<Space>& system = context_.system;
-    wind_ = std::make_shared<SteadyWind>(system.wind, is_whole);
+    wind_ = std::make_shared<SteadyWind>(system.wind, is_whole || is_support_);
     if (is_axial) wind_->keep_axial(make_rotation(system.hub.orientation).axes.col(2));
     system.wind = wind_;
   }

@@ -61,6 +61,23 @@ inline constexpr std::array kBladeAerodynamicsRows{
         .from("`\"+y\"`")
         .among("+y -y")};
 
+inline constexpr std::array kBodyDragRows{
+    by_hand("station", kNumbers, kStation, "of a beam: distances from its root, ascending")
+        .from("its ends")
+        .within("2 or more, 0 to `length`"),
+    stations<&spatial::BodyDrag::diameter>("diameter", Quantity::not_negative("m"),
+                                           "of a beam: its width across the flow")
+        .from("required for a beam"),
+    stations<&spatial::BodyDrag::coefficient>("coefficient", Quantity::not_negative(""),
+                                              "of a beam: of drag, by `diameter`")
+        .from("1"),
+    vector<&spatial::BodyDrag::area>(
+        "area", Quantity::not_negative("m^2"),
+        "of a rigid body: coefficient of drag times area, for flow along each axis of its frame")
+        .from("required for a rigid body"),
+    vector<&spatial::BodyDrag::point>("point", kLength,
+                                      "of a rigid body: where drag acts, in its frame")};
+
 inline constexpr std::array kAirfoilRows{
     by_hand("name", kText, "unlike that of any other")
         .required()

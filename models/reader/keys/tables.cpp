@@ -79,6 +79,7 @@ void add_joints(std::vector<Table>& all) {
 
 void add_trees(std::vector<Table>& all) {
   const Part tree{"trees", kTreeRows};
+  all.push_back({"subsystem.body.drag", {{"drag of bodies", kBodyDragRows}}});
   all.push_back({"coupling", {{"couplings", kCouplingRows}}});
   all.push_back({"coupling.joints", {{"coupled joints", kCoupledJointRows}}});
   all.push_back({"subsystem", {{"[[subsystem]]", kSubsystemRows}, tree}});

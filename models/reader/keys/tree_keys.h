@@ -40,7 +40,10 @@ inline constexpr std::array kBodyRows{
         .within("as of joints"),
     by_hand("kind", kWord, "`\"beam\"`, `\"rigid\"` or `\"solid\"`, [below](#solids)")
         .required()
-        .among("beam rigid solid")};
+        .among("beam rigid solid"),
+    by_hand("drag", kTable, "[drag](#drag-of-bodies) in the wind, of a beam or a rigid body")
+        .from("none")
+        .as("subsystem.body.drag")};
 
 inline constexpr std::array kRigidBodyRows{
     number<&spatial::RigidBody::mass>("mass", Quantity::positive("kg"), "of a rigid body")

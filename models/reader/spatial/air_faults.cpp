@@ -102,7 +102,12 @@ Fault find_fault(const Air& air, const Model& model) {
         first.add(
             {key + ".airfoil." + std::to_string(k + 1), describe_unknown(own.airfoil[k], names)});
   }
-  if (!acts) first.add({"air", "acts on no blade, expected [blade.aerodynamics] of one or more"});
+  for (const Subsystem& subsystem : model.subsystems)
+    for (const Body& body : subsystem.bodies) acts |= body.drag.has_value();
+  if (!acts)
+    first.add({"air",
+               "acts on no blade, expected [blade.aerodynamics] of one or more, or drag of a "
+               "body"});
   return first.found();
 }
 

@@ -16,16 +16,6 @@
 namespace spoke::spatial {
 namespace {
 
-/// Reads one number for each station, or one for all; leaves out what is not there.
-void read_stations(const TomlSection& section, std::string_view key, const Quantity& quantity,
-                   std::size_t stations, std::vector<double>& values) {
-  if (!section.has(key)) return;
-  if (section.is_array(key))
-    values = section.numbers(key, quantity);
-  else
-    values.assign(stations, section.number(key, quantity));
-}
-
 std::vector<std::string> read_names(const TomlSection& section, std::size_t stations) {
   const std::string expected = "an array of names of aerofoils, or one name";
   if (!section.has("airfoil")) section.fail("airfoil", "is missing, expected " + expected);
@@ -117,6 +107,15 @@ void add_files(const TomlSection& root, const std::string& folder, const Model& 
 }
 
 }  // namespace
+
+void read_stations(const TomlSection& section, std::string_view key, const Quantity& quantity,
+                   std::size_t stations, std::vector<double>& values) {
+  if (!section.has(key)) return;
+  if (section.is_array(key))
+    values = section.numbers(key, quantity);
+  else
+    values.assign(stations, section.number(key, quantity));
+}
 
 TomlSection::Keys aerodynamics_keys() { return keys::keys_of(keys::kBladeAerodynamicsRows); }
 

@@ -4,11 +4,17 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "models/reader/toml_section.h"
 #include "models/spatial_model.h"
 
 namespace spoke::spatial {
+
+/// Reads one number for each station, or one for all; leaves out what is not there.
+void read_stations(const TomlSection& section, std::string_view key, const Quantity& quantity,
+                   std::size_t stations, std::vector<double>& values);
 
 /// Returns the keys of [blade.aerodynamics].
 TomlSection::Keys aerodynamics_keys();

@@ -12,6 +12,7 @@
 #include "models/reader/spatial/control_json.h"
 #include "models/reader/spatial/coupling_reader.h"
 #include "models/reader/spatial/course_json.h"
+#include "models/reader/spatial/drag_reader.h"
 #include "models/reader/spatial/field_writer.h"
 #include "models/reader/spatial/joint_json.h"
 #include "models/reader/spatial/solid_json.h"
@@ -103,6 +104,7 @@ Json to_json(const Body& body) {
   if (const auto* beam = std::get_if<Beam>(&body.shape)) {
     json.set("kind", "beam");
     add_beam(*beam, json);
+    if (body.drag) json.set("drag", drag_to_json(*body.drag));
     return json;
   }
   if (const auto* solid = std::get_if<SolidBody>(&body.shape)) {
@@ -114,6 +116,7 @@ Json to_json(const Body& body) {
   json.set("kind", "rigid");
   visit_fields(rigid, FieldWriter{json});
   json.set("inertia", inertia_to_json(rigid.inertia));
+  if (body.drag) json.set("drag", drag_to_json(*body.drag));
   return json;
 }
 

@@ -9,6 +9,7 @@
 #include "models/reader/spatial/body_reader.h"
 #include "models/reader/spatial/coupling_faults.h"
 #include "models/reader/spatial/coupling_reader.h"
+#include "models/reader/spatial/drag_reader.h"
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/joint_reader.h"
 #include "models/reader/spatial/section_reader.h"
@@ -63,7 +64,10 @@ Body read_body(const TomlSection& section, const Around& around, const Subsystem
   } else {
     check_kind_keys(section, solid_keys(), "solid");
     body.shape = read_solid(section, around.folder, around.before, own);
+    if (section.has("drag"))
+      section.fail("drag", "does not belong to kind \"solid\", expected a beam or a rigid body");
   }
+  if (section.has("drag")) body.drag = read_drag(section, body);
   return body;
 }
 

@@ -5,6 +5,7 @@
 #include <set>
 #include <string_view>
 
+#include "models/reader/spatial/drag_reader.h"
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/solid_faults.h"
 #include "models/support/nearest_name.h"
@@ -32,6 +33,7 @@ Fault find_body_faults(const Subsystem& subsystem, const TreeBase& base, Names& 
                  "is \"" + body.name + "\" as another body's, expected a name of its own"});
     first.add(
         std::visit([](const auto& shape) { return find_fault(shape); }, body.shape).within(path));
+    first.add(find_drag_fault(body).within("drag").within(path));
   }
   return first.found();
 }

@@ -30,6 +30,20 @@ void make_nodal(Scenario& scenario) {
       }
 }
 
+/// Gives drag to all beams and rigid bodies, in wind that blows across them.
+void put_in_wind(Scenario& scenario) {
+  spatial::Air& air = scenario.space->air.emplace();
+  air.wind.velocity = {12.0, 5.0, -3.0};
+  for (spatial::Subsystem& subsystem : scenario.space->subsystems)
+    for (spatial::Body& body : subsystem.bodies) {
+      if (const auto* beam = std::get_if<spatial::Beam>(&body.shape))
+        body.drag = spatial::BodyDrag{
+            .station = {0.0, beam->length}, .diameter = {0.1, 0.05}, .coefficient = {1.0, 1.2}};
+      else if (std::holds_alternative<spatial::RigidBody>(body.shape))
+        body.drag = spatial::BodyDrag{.area = {0.02, 0.03, 0.05}, .point = {0.0, 0.02, 0.05}};
+    }
+}
+
 }  // namespace
 
 Scenario ZooModel::read(int steps) const {
@@ -53,6 +67,7 @@ std::vector<ZooModel> list_zoo() {
          s.space->support->axle.train = spatial::DriveTrain{867.637e6, 6.215e6, 97.0, 534.116};
        }},
       {"solid_blade_rotor, nodal", "solid_blade_rotor", make_nodal},
+      {"tree_of_bodies, in the wind", "tree_of_bodies", put_in_wind},
       {"tree_of_bodies, relaxing", "tree_of_bodies", make_relaxing},
       {"tree_of_bodies, with a spin", "tree_of_bodies",
        [](Scenario& s) {

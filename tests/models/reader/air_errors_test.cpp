@@ -199,7 +199,9 @@ TEST_CASE("air that cannot be is refused") {
           {"[blade.aerodynamics]\nstation = [1.0, 4.0, 8.0]\nchord = [0.6, 0.5, 0.3]\ntwist = "
            "[0.2, 0.1, 0.0]\ncenter = [0.0, 0.01, 0.02]\nairfoil = [\"thick\", \"plate\", "
            "\"plate\"]\nleading_edge = \"+y\"\n",
-           "", "f.toml:34:1: air: acts on no blade, expected [blade.aerodynamics] of one or more"},
+           "",
+           "f.toml:34:1: air: acts on no blade, expected [blade.aerodynamics] of one or more, or "
+           "drag of a body"},
           {"[[sensor]]\nname = \"mid\"\nquantity = \"air_flow\"",
            "[[sensor]]\nname = \"mid\"\nquantity = \"air_flows\"",
            "f.toml:52:12: sensor.1.quantity: is \"air_flows\", expected \"displacement\", "

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "engine/bodies/act/marker_parts.h"
+#include "engine/bodies/act/wind_at.h"
 #include "engine/bodies/air/rotor_coefficients.h"
 #include "engine/bodies/kernels/kinematics.h"
 #include "engine/bodies/kernels/marker_motion.h"
@@ -16,15 +17,6 @@
 
 namespace spoke {
 namespace {
-
-/// Returns the wind; what is not finite, and ends the step, if the program's own throws.
-Eigen::Vector3d find_wind(const WindField& wind, const Eigen::Vector3d& place, double t) noexcept {
-  try {
-    return wind.velocity(place, t);
-  } catch (...) {
-    return Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  }
-}
 
 /// Returns the rotor as the subsystem's hub has it.
 air::RotorPlace place_rotor(double t, const HubState<Space>& hub, const WindField& wind) {
