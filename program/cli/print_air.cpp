@@ -154,6 +154,31 @@ void print_texts(const std::string& label, const std::vector<std::string>& lines
     print_line(i == 0 ? label : "", one_line(lines[i]));
 }
 
+/// Returns "6", or "6 to 3.87": the first and the last of values.
+std::string describe_ends(const std::vector<double>& values) {
+  std::string text = short_number(values.front());
+  if (values.back() != values.front()) text += " to " + short_number(values.back());
+  return text;
+}
+
+std::string describe(const spatial::BodyDrag& drag) {
+  if (drag.station.empty())
+    return fmt::format("areas {} m^2 at {} m", vector_text(drag.area), vector_text(drag.point));
+  return fmt::format("{} m wide at {} m, coefficient {}", describe_ends(drag.diameter),
+                     describe_ends(drag.station), describe_ends(drag.coefficient));
+}
+
+/// Returns a line for each body that has drag.
+std::vector<std::string> describe_drags(const spatial::Model& model) {
+  std::vector<std::string> lines;
+  for (const spatial::Subsystem& subsystem : model.subsystems)
+    for (const spatial::Body& body : subsystem.bodies)
+      if (body.drag)
+        lines.push_back(
+            fmt::format("{} / {}: {}", subsystem.name, body.name, describe(*body.drag)));
+  return lines;
+}
+
 }  // namespace
 
 void print_air(const spatial::Model& model) {
@@ -168,6 +193,7 @@ void print_air(const spatial::Model& model) {
     print_texts(fmt::format("air, blade {}", i + 1), lines);
     before = std::move(lines);
   }
+  print_texts("drag", describe_drags(model));
   for (const Airfoil& airfoil : model.air->airfoils) {
     std::vector<std::string> lines;
     for (const spatial::Polar& polar : airfoil.polars)

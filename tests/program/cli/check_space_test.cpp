@@ -86,6 +86,20 @@ TEST_CASE("the memory that check tells has the box of turbulence") {
   CHECK(two > 1.5 * one);
 }
 
+TEST_CASE("check prints the drag of bodies") {
+  const WorkFolder folder;
+  const Ended ended =
+      run_spoke({"check", shipped("nrel_5mw_turbine"), "--set", "air={}", "--set",
+                 "wind={velocity=[50,0,0]}", "--set", "support.body.1.drag={diameter=[6.0,3.87]}",
+                 "--set", "support.body.2.drag={area=[40,60,50],point=[0,0,1.75]}"},
+                folder);
+  CHECK(ended.status == 0);
+  CHECK(ended.err.empty());
+  CHECK(ended.out.find("  drag            support / tower: 6 to 3.87 m wide at 0 to 87.6 m, "
+                       "coefficient 1\n                  support / nacelle: areas [40, 60, 50] m^2 "
+                       "at [0, 0, 1.75] m\n") != std::string::npos);
+}
+
 TEST_CASE("check prints air, wind, stations and aerofoils") {
   const WorkFolder folder;
   const Ended ended =
