@@ -147,6 +147,9 @@ SPOKE_EXPORT int count_coordinates(JointKind kind);
 SPOKE_EXPORT bool slides(JointKind kind, int coordinate);
 /// Returns the number of its axes: 0 to 2.
 SPOKE_EXPORT int count_axes(JointKind kind);
+/// Names of the directions of a bushing, in the order of its coordinates.
+inline constexpr std::array<std::string_view, 6> kBushingDirections{
+    "x", "y", "z", "about x", "about y", "about z"};
 
 /// A stop that keeps a coordinate of a joint within bounds, smoothly: with d the distance beyond a
 /// bound, the force towards it is stiffness d^2/(2 width) up to d = width, stiffness (d - width/2)
@@ -216,6 +219,8 @@ struct JointCoordinate {
   std::optional<Motion> motion = std::nullopt;  ///< prescribed motion; none for a spherical joint
   /// Spring that relaxes; none for a spherical joint.
   std::optional<Relaxation> relaxation = std::nullopt;
+  /// Of a bushing, whether it moves without a spring and a damper, which else hold it.
+  bool moves_freely = false;
 };
 
 /// A joint, which joins a body, the child, to a place on another one, the parent, or on the hub.

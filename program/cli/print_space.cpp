@@ -52,7 +52,7 @@ bool continues_beam(const Tree& tree, std::size_t index) {
 
 /// Names the directions in which a bushing gives.
 std::string describe_directions(const Joint& joint) {
-  constexpr std::array names{"x", "y", "z", "about x", "about y", "about z"};
+  constexpr auto& names = spatial::kBushingDirections;
   std::string text;
   for (std::size_t c = 0; c < names.size(); ++c)
     if (!joint.coordinates[c].motion) text += (text.empty() ? "" : ", ") + std::string(names[c]);

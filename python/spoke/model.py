@@ -312,9 +312,9 @@ def point_mass(*, position, mass, inertia=None, offset=None):
 
 
 def joint(*, kind, name=None, axis=None, axes=None, offset=None, orientation=None, stiffness=None,
-          damping=None, rest=None, relaxation=None, stop=None, friction=None, initial=None,
-          initial_speed=None, hold=None, torque=None, force=None, motion=None, station=None,
-          parent=None, child=None, node=None, interface=None):
+          damping=None, free=None, rest=None, relaxation=None, stop=None, friction=None,
+          initial=None, initial_speed=None, hold=None, torque=None, force=None, motion=None,
+          station=None, parent=None, child=None, node=None, interface=None):
     """A joint of a blade, at a station, or of a subsystem, from parent to child.
 
     name: of the joint
@@ -325,6 +325,8 @@ def joint(*, kind, name=None, axis=None, axes=None, offset=None, orientation=Non
     orientation: rotation vector of the joint's frame in the parent's [rad]
     stiffness: of a spring [N m/rad, N/m]
     damping: of a damper [N m s/rad, N s/m]
+    free: of a bushing: directions that move without a spring and a damper, of "x", "y", "z", "about
+        x", "about y" and "about z"
     rest: coordinate at which the spring is at rest [rad, m]
     relaxation: a spring and a damper in series: a table, below
     stop: a table, below

@@ -120,16 +120,24 @@ Fault find_spherical_fault(const Joint& joint) {
 Fault find_bushing_fault(const JointCoordinate& coordinate, int index) {
   const FirstFault first;
   const std::string number = '.' + std::to_string(index + 1);
-  const bool is_held = coordinate.stiffness == 0.0 && coordinate.damping == 0.0;
-  visit_fields(coordinate, units_of(JointKind::bushing, index),
-               [&](std::string_view key, double value, const Quantity& quantity) {
-                 first(std::string(key) + number, value, quantity);
-                 if (is_held && value != 0.0)
-                   first.add({std::string(key) + number,
-                              "is " + describe(value) +
-                                  " in a direction that is held, since it has neither stiffness "
-                                  "nor damping; expected 0"});
-               });
+  const bool is_loose = coordinate.stiffness == 0.0 && coordinate.damping == 0.0;
+  const bool is_held = is_loose && !coordinate.moves_freely;
+  if (coordinate.moves_freely && !is_loose)
+    first.add({"free", "has \"" + std::string(kBushingDirections[static_cast<std::size_t>(index)]) +
+                           "\", which has a spring or a damper; expected directions without"});
+  visit_fields(
+      coordinate, units_of(JointKind::bushing, index),
+      [&](std::string_view key, double value, const Quantity& quantity) {
+        first(std::string(key) + number, value, quantity);
+        if (is_held && value != 0.0)
+          first.add({std::string(key) + number,
+                     "is " + describe(value) +
+                         " in a direction that is held, since it has neither stiffness "
+                         "nor damping; expected 0"});
+        if (coordinate.moves_freely && key == "rest" && value != 0.0)
+          first.add({std::string(key) + number,
+                     "is " + describe(value) + " in a direction without a spring; expected 0"});
+      });
   if (!is_zero(coordinate.effort))
     first.add({slides(JointKind::bushing, index) ? "force" : "torque",
                "does not belong to kind \"bushing\""});

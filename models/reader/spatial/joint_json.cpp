@@ -112,6 +112,8 @@ void add_joint(const Joint& joint, Json& json) {
   const std::size_t count = count_of(joint);
   if (count == 0) return;
   add_numbers(joint, json);
+  for (std::size_t c = 0; c < count; ++c)
+    if (joint.coordinates[c].moves_freely) json.append("free", std::string(kBushingDirections[c]));
   if (joint.hold) json.set("hold", true);
   add_tables("relaxation", joint, &JointCoordinate::relaxation, json);
   if (joint.kind == JointKind::bushing) return;  // its other keys follow from its springs

@@ -32,6 +32,7 @@ void check_kind_keys(const TomlSection& section, std::string_view kind) {
                                  {"initial", moving},
                                  {"initial_speed", moving},
                                  {"hold", moving},
+                                 {"free", {"bushing"}},
                                  {"rest", at_rest},
                                  {"relaxation", at_rest},
                                  {"stop", bounded},
@@ -72,10 +73,27 @@ void read_numbers(const TomlSection& section, Joint& joint) {
                  });
 }
 
-/// Holds the directions of a bushing that have neither spring nor damper.
+/// Frees the directions of a bushing that are named.
+void free_directions(const TomlSection& section, Joint& joint) {
+  if (!section.has("free")) return;
+  const std::string expected =
+      R"(an array of directions: "x", "y", "z", "about x", "about y", "about z")";
+  for (const TomlValue& value : section.values("free")) {
+    const std::string* name = value.as_text();
+    if (!name) section.fail_expected("free", expected);
+    const auto at = std::find(kBushingDirections.begin(), kBushingDirections.end(), *name);
+    if (at == kBushingDirections.end())
+      section.fail("free", "has \"" + *name + "\", expected " + expected);
+    joint.coordinates[static_cast<std::size_t>(at - kBushingDirections.begin())].moves_freely =
+        true;
+  }
+}
+
+/// Holds the directions of a bushing that have neither spring nor damper, and are not free.
 void hold_directions(Joint& joint) {
   for (JointCoordinate& coordinate : joint.coordinates)
-    if (coordinate.stiffness == 0.0 && coordinate.damping == 0.0) coordinate.motion = MotionTable{};
+    if (coordinate.stiffness == 0.0 && coordinate.damping == 0.0 && !coordinate.moves_freely)
+      coordinate.motion = MotionTable{};
 }
 
 /// Reads the efforts of `count` coordinates from `first` on: a number, an array of as many, or a
@@ -231,7 +249,10 @@ Joint read_joint(const TomlSection& section) {
   read_stops(section, joint);
   read_frictions(section, joint);
   read_motions(section, joint);
-  if (joint.kind == JointKind::bushing) hold_directions(joint);
+  if (joint.kind == JointKind::bushing) {
+    free_directions(section, joint);
+    hold_directions(joint);
+  }
   if (const Fault fault = find_fault(joint)) section.fail_at(fault.path, fault.text);
   return joint;
 }

@@ -137,7 +137,8 @@ TEST_CASE("trees of supports that are none are refused") {
            "(N m/rad)"},
           {"name = \"yaw\"", "azimuth = 0.1",
            "f.toml:39:1: support.joint.2.azimuth: unknown key, expected \"name\", \"kind\", "
-           "\"axis\", \"axes\", \"offset\", \"orientation\", \"stiffness\", \"damping\", \"rest\", "
+           "\"axis\", \"axes\", \"offset\", \"orientation\", \"stiffness\", \"damping\", \"free\", "
+           "\"rest\", "
            "\"relaxation\", \"stop\", \"friction\", \"initial\", \"initial_speed\", \"hold\", "
            "\"torque\", \"force\", \"motion\", \"parent\", \"child\", \"station\", \"node\" or "
            "\"interface\""},
@@ -313,6 +314,15 @@ TEST_CASE("bushings that cannot be are refused") {
            "kind = \"bushing\"\nstiffness = [0, 0, 0, 0, 0, 0]\ndamping = [0, 0, 0, 0, 0, 0]",
            "f.toml:37:13: support.joint.1.stiffness: is 0, as damping is, in all directions, so "
            "that the bushing holds them all; expected one that moves, or kind \"fixed\""},
+          {"kind = \"fixed\"", "kind = \"bushing\"\nfree = [\"x\", \"around y\"]",
+           "f.toml:37:8: support.joint.1.free: has \"around y\", expected an array of directions: "
+           "\"x\", \"y\", \"z\", \"about x\", \"about y\", \"about z\""},
+          {"kind = \"fixed\"", "kind = \"bushing\"\nfree = [\"x\"]\nstiffness = [1, 0, 0, 0, 0, 0]",
+           "f.toml:37:8: support.joint.1.free: has \"x\", which has a spring or a damper; expected "
+           "directions without"},
+          {"kind = \"fixed\"", "kind = \"bushing\"\nfree = [\"x\"]\nrest = [0.1, 0, 0, 0, 0, 0]",
+           "f.toml:38:9: support.joint.1.rest.1: is 0.1 in a direction without a spring; expected "
+           "0"},
           {"kind = \"fixed\"", "kind = \"bushing\"\nstiffness = 5",
            "f.toml:37:13: support.joint.1.stiffness: is 5, expected an array of 6 numbers (N/m, N "
            "m/rad)"},

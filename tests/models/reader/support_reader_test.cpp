@@ -161,6 +161,19 @@ TEST_CASE("bushings have six coordinates, of blades and of subsystems, too") {
   CHECK(tree.subsystems[0].joints[1].joint.coordinates[2].stiffness == 4e4);
 }
 
+TEST_CASE("directions of a bushing that are free move without springs, and are written again") {
+  const std::string keys =
+      "kind = \"bushing\"\nstiffness = [0, 3e4, 0, 0, 0, 0]\nfree = [\"x\", \"about z\"]\n";
+  const Scenario scenario =
+      parse_scenario(edited(kTreeText, "kind = \"spherical\"\nstiffness = 4.0\n", keys), "f.toml");
+  const spatial::Joint& joint = scenario.space->subsystems[0].joints[1].joint;
+  for (const std::size_t c : {0, 1, 5}) CHECK(!joint.coordinates[c].motion.has_value());
+  for (const std::size_t c : {2, 3, 4}) CHECK(joint.coordinates[c].motion.has_value());
+  const std::string json = scenario.to_json();
+  CHECK(json.find("about z") != std::string::npos);
+  CHECK(parse_scenario(document_of(json), "f.toml").to_json() == json);
+}
+
 TEST_CASE("overrides reach into supports") {
   const spatial::Model model =
       parsed_model(kSupportText, {"support.body.1.length=25.0", "support.joint.2.damping=10",

@@ -67,7 +67,7 @@ inline std::string make_shaft_text(const Shaft& shaft) {
        << make_sections(shaft.lag_stiffness) << make_disc("first", 0.28)
        << make_disc("second", shaft.second_disc)
        << "[[subsystem.joint]]\nparent = \"hub\"\nchild = \"shaft\"\nkind = \"bushing\"\n"
-          "stiffness = [0, 1e-3, 1e-3, 0, 1e-3, 1e-3]\n"
+          "free = [\"y\", \"z\", \"about y\", \"about z\"]\n"
           "[[subsystem.joint]]\nparent = \"shaft\"\nchild = \"first\"\nstation = 0.5\n"
           "kind = \"fixed\"\n"
           "[[subsystem.joint]]\nparent = \"shaft\"\nchild = \"second\"\nstation = 1.0\n"

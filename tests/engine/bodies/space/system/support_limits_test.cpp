@@ -180,6 +180,25 @@ TEST_CASE("a bushing between a support's bodies tends to a fixed joint, by its c
   CHECK(soft / stiff == doctest::Approx(10.0).epsilon(0.1));
 }
 
+TEST_CASE("a bushing that is free in all directions lets a body fly, and spin") {
+  const std::string ball =
+      "[[subsystem]]\nname = \"ball\"\n[[subsystem.body]]\nname = \"ball\"\nkind = \"rigid\"\n"
+      "mass = 2.0\ninertia = [0.1, 0.1, 0.15]\n[[subsystem.joint]]\nparent = \"hub\"\n"
+      "child = \"ball\"\nname = \"air\"\nkind = \"bushing\"\n"
+      "free = [\"x\", \"y\", \"z\", \"about x\", \"about y\", \"about z\"]\n"
+      "initial_speed = [3.0, 0, 5.0, 0, 0, 7.0]\n";
+  Simulation flight(make_scenario(make_text("[hub]\ndrive = { kind = \"fixed\" }\n", ball,
+                                            "[gravity]\nacceleration = [0, 0, -9.81]\n"),
+                                  0.01, 0.8, IntegrationMethod::rk4));
+  flight.run_until(0.8);
+  const int joint = flight.joint_index(0, "air");
+  const auto value = [&](int c) { return flight.joint_motion(0, joint, c).value; };
+  CHECK(value(0) == doctest::Approx(2.4).epsilon(1e-12));
+  CHECK(value(2) == doctest::Approx(4.0 - 0.5 * 9.81 * 0.64).epsilon(1e-12));
+  CHECK(value(5) == doctest::Approx(5.6).epsilon(1e-12));
+  CHECK(std::abs(value(1)) + std::abs(value(3)) + std::abs(value(4)) < 1e-12);
+}
+
 TEST_CASE("a rotor on a support that does not give is the rotor on an axle, on a ship, too") {
   const std::string ship =
       "[hub.mount]\n"
