@@ -147,18 +147,22 @@ double estimate_load(const BodyLoad<Space>& load) {
   return bytes;
 }
 
-/// Counts the loops of a subsystem in the table; `joints`: the rows of all its joints, by which
-/// the formulation `subsystem` has columns.
+/// Counts the loops of a subsystem, their constants and what is in the table; `joints`: the rows of
+/// all its joints, by which the formulation `subsystem` has columns.
 template <class World>
 double estimate_loops(const Subsystem<World>& subsystem, Formulation formulation, double joints) {
   const double rows = subsystem.loop_rows();
   if (rows == 0.0) return 0.0;
   const auto bodies = static_cast<double>(subsystem.bodies.size());
+  const auto loops = static_cast<double>(subsystem.loops.size());
   constexpr double kTwistBytes = sizeof(TwistOf<World>);
   // By row: its state, N and half of it, and at most a twist for each body and each joint.
   double bytes = bodies * (sizeof(PoseOf<World>) + kTwistBytes) + sizeof(double) * rows * rows +
                  rows * (sizeof(LoopRowState<World>) + 8.0 * sizeof(double) + 2.0 * kTwistBytes +
                          2.0 * bodies * kTwistBytes);
+  // By loop: its model and its path, which has at most all bodies and their joints.
+  bytes += rows * sizeof(LoopRow) + loops * (sizeof(LoopModel) + sizeof(LoopPath) +
+                                             bodies * (sizeof(int) + sizeof(LoadedJoint)));
   if (formulation == Formulation::subsystem) bytes += 3.0 * sizeof(double) * rows * joints;
   return bytes;
 }
