@@ -16,6 +16,8 @@ int count_locked(LoopKind kind) {
       return 4;
     case LoopKind::spherical:
       return 3;
+    case LoopKind::bearing:
+      return 2;
     case LoopKind::distance:
       break;
   }
@@ -34,6 +36,7 @@ int count_locked_in_plane(LoopKind kind) {
     case LoopKind::universal:
     case LoopKind::spherical:
     case LoopKind::cylindrical:
+    case LoopKind::bearing:
       break;
   }
   return 0;
@@ -46,6 +49,7 @@ int count_axes(LoopKind kind) {
     case LoopKind::revolute:
     case LoopKind::prismatic:
     case LoopKind::cylindrical:
+    case LoopKind::bearing:
       return 1;
     case LoopKind::fixed:
     case LoopKind::spherical:
@@ -69,6 +73,8 @@ std::string_view name_of(LoopKind kind) {
       return "spherical";
     case LoopKind::cylindrical:
       return "cylindrical";
+    case LoopKind::bearing:
+      return "bearing";
     case LoopKind::distance:
       break;
   }

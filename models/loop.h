@@ -3,6 +3,7 @@
 // Closed loops: cut joints that close what the tree of joints leaves open, and the anchors that
 // loops may close on.
 
+#include <Eigen/Core>
 #include <array>
 #include <optional>
 #include <string>
@@ -23,6 +24,7 @@ enum class LoopKind {
   universal,    ///< rotation about an axis of `to` and one of `from`, which stay at one angle
   spherical,    ///< any rotation
   cylindrical,  ///< rotation about an axis, and translation along it
+  bearing,      ///< any rotation, and translation along an axis
   distance,     ///< all but a change of the distance: a rod with a ball joint at each end
 };
 
@@ -59,6 +61,19 @@ struct LoopPlace {
   std::string interface {};
 };
 
+/// Springs and dampers of a bearing as matrices over the two directions across its axis, which need
+/// be neither symmetric nor definite: the force on `from` is -(stiffness) u - (damping) u', with u
+/// its displacement, as `to` sees it. Of an axis z in the frame of `to` these directions are x and
+/// y; in general the first is nearest to the axis of the frame that is the most across, and the
+/// second follows it about the axis.
+struct BearingMatrices {
+  /// Speeds of tables, ascending: of `from` against `to` about the axis. Matrices are linear
+  /// between them, and stay beyond the first and the last one. Empty: they are constant [rad/s].
+  std::vector<double> speed{};
+  std::vector<Eigen::Matrix2d> stiffness{};  ///< by speed, or one; empty: 0 [N/m]
+  std::vector<Eigen::Matrix2d> damping{};    ///< likewise [N s/m]
+};
+
 /// A closed loop: a cut joint between two places. Its forces act on `from`, and against `to`.
 ///
 /// The closure is at zero where both places coincide, and so do their frames, but for the motion
@@ -78,6 +93,8 @@ struct Loop {
   std::vector<double> stiffness{};
   /// Dampers beside the springs [N s/m, N m s/rad]; empty: none. Rigid directions have none.
   std::vector<double> damping{};
+  /// Of a bearing, in place of these two; with them it is not rigid.
+  std::optional<BearingMatrices> matrices = std::nullopt;
 };
 
 /// The motion of an anchor that the embedding program sets while it simulates.

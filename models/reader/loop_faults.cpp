@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "models/reader/bearing_reader.h"
 #include "models/reader/spatial/solid_faults.h"
 #include "models/support/nearest_name.h"
 
@@ -156,8 +157,8 @@ Fault find_orientation_fault(const Loop& loop) {
                                       "\" lets its places turn; expected none"};
   };
   const bool is_distance = loop.kind == LoopKind::distance;
-  if (loop.from.orientation && (is_distance || loop.kind == LoopKind::spherical))
-    return refuse("from");
+  const bool turns_all = loop.kind == LoopKind::spherical || loop.kind == LoopKind::bearing;
+  if (loop.from.orientation && (is_distance || turns_all)) return refuse("from");
   if (loop.to.orientation && is_distance) return refuse("to");
   return {};
 }
@@ -255,6 +256,7 @@ Fault find_loop_fault(const Loop& loop, const LoopSurroundings& around) {
   first.add(find_orientation_fault(loop));
   first.add(find_axis_fault(loop, around.in_plane));
   first.add(find_length_fault(loop));
+  first.add(find_matrix_fault(loop));
   first.add(find_spring_fault(loop, around.in_plane));
   return first.found();
 }
@@ -318,6 +320,7 @@ int count_locked_places(LoopKind kind, bool in_plane) {
       return 1;
     case LoopKind::prismatic:
     case LoopKind::cylindrical:
+    case LoopKind::bearing:
       return all - 1;
     default:
       return all;
@@ -356,6 +359,7 @@ std::string find_radius_fault(const Integration& integration, const Scenario& sc
       integration.spectral_radius <= kLargestRadius)
     return {};
   const auto is_rigid = [](const Loop& loop) {
+    if (loop.matrices) return false;
     return loop.stiffness.empty() ||
            std::find(loop.stiffness.begin(), loop.stiffness.end(), 0.0) != loop.stiffness.end();
   };

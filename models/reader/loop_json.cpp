@@ -2,6 +2,7 @@
 
 #include "models/reader/loop_json.h"
 
+#include "models/reader/bearing_reader.h"
 #include "models/reader/spatial/course_json.h"
 
 namespace spoke {
@@ -54,6 +55,7 @@ Json to_json(const Loop& loop, const LoopSurroundings& around) {
   if (loop.length) json.set("length", *loop.length);
   if (!loop.stiffness.empty()) json.set("stiffness", loop.stiffness);
   if (!loop.damping.empty()) json.set("damping", loop.damping);
+  if (loop.matrices) add_matrices(*loop.matrices, json);
   return json;
 }
 

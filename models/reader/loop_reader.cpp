@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "models/reader/bearing_reader.h"
 #include "models/reader/keys/loop_keys.h"
 #include "models/reader/row_reader.h"
 #include "models/reader/spatial/vector_reader.h"
@@ -16,7 +17,7 @@ using spatial::rotation_shape;
 
 constexpr LoopKind kKinds[] = {LoopKind::fixed,     LoopKind::revolute,  LoopKind::prismatic,
                                LoopKind::universal, LoopKind::spherical, LoopKind::cylindrical,
-                               LoopKind::distance};
+                               LoopKind::bearing,   LoopKind::distance};
 
 /// Returns the number of axes that a file gives.
 int count_axes(LoopKind kind, bool in_plane) {
@@ -50,6 +51,10 @@ void check_kind_keys(const TomlSection& section, LoopKind kind, bool in_plane) {
   require("axis", [&](LoopKind k) { return count_axes(k, in_plane) == 1; });
   require("axes", [&](LoopKind k) { return count_axes(k, in_plane) == 2; });
   require("length", [](LoopKind k) { return k == LoopKind::distance; });
+  require("speed", [](LoopKind k) { return k == LoopKind::bearing; });
+  for (const std::string_view key : {"stiffness", "damping"})
+    if (section.is_nested(key) && kind != LoopKind::bearing)
+      section.fail(key, std::string(kMatrixOfOther));
 }
 
 /// Reads what carries a place by its name.
@@ -127,7 +132,7 @@ void read_axes(const TomlSection& section, bool in_plane, Loop& loop) {
 /// Reads numbers by locked direction, or one for all; none if all are 0.
 std::vector<double> read_springs(const TomlSection& section, std::string_view key, const Loop& loop,
                                  bool in_plane) {
-  if (!section.has(key)) return {};
+  if (!section.has(key) || section.is_nested(key)) return {};
   const auto count = static_cast<std::size_t>(count_locked(loop.kind, in_plane));
   const bool are_lengths = count_locked_places(loop.kind, in_plane) == static_cast<int>(count);
   const char* unit = key == "damping" ? (are_lengths ? "N s/m" : "N s/m, N m s/rad")
@@ -142,6 +147,8 @@ std::vector<double> read_springs(const TomlSection& section, std::string_view ke
 
 /// Reads springs and dampers. One number for all dampers is for those directions that have springs.
 void read_springs(const TomlSection& section, bool in_plane, Loop& loop) {
+  loop.matrices = read_matrices(section);
+  if (loop.matrices && !loop.matrices->speed.empty()) return;
   loop.stiffness = read_springs(section, "stiffness", loop, in_plane);
   loop.damping = read_springs(section, "damping", loop, in_plane);
   if (section.is_array("damping") || loop.damping.empty()) return;

@@ -62,6 +62,12 @@ bool TomlSection::is_array(std::string_view key) const {
   return value != nullptr && value->as_array() != nullptr;
 }
 
+bool TomlSection::is_nested(std::string_view key) const {
+  if (!is_array(key)) return false;
+  const TomlArray& array = *table_->find(key)->as_array();
+  return !array.empty() && array.front().as_array() != nullptr;
+}
+
 bool TomlSection::is_text(std::string_view key) const {
   const TomlValue* value = table_->find(key);
   return value != nullptr && value->as_text() != nullptr;

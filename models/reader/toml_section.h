@@ -26,6 +26,8 @@ class TomlSection {
   const std::string& path() const { return path_; }
   bool has(std::string_view key) const { return table_->find(key) != nullptr; }
   bool is_array(std::string_view key) const;
+  /// Whether it is an array that begins with an array.
+  bool is_nested(std::string_view key) const;
   bool is_text(std::string_view key) const;
   bool is_table(std::string_view key) const;
 

@@ -62,6 +62,9 @@ class RowMaker {
         slide();
         align();
         break;
+      case LoopKind::bearing:
+        slide();
+        break;
       case LoopKind::distance:
         rows_.push_back({Kind::distance, {}, {}, loop_.length.value_or(0.0)});
         rows_.back().axis = rows_.back().other = Position::Zero();
@@ -108,6 +111,7 @@ class RowMaker {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       rows_[i].stiffness = value(loop_.stiffness, i);
       rows_[i].damping = rows_[i].is_rigid() ? 0.0 : value(loop_.damping, i);
+      rows_[i].is_of_bearing = loop_.matrices.has_value();
     }
   }
 
@@ -132,6 +136,8 @@ LoopModel make_loop(const Loop& loop, bool in_plane) {
   made.turns_to_start = !loop.from.orientation.has_value();
   made.measures_at_start = loop.kind == LoopKind::distance && !loop.length;
   made.rows = make_loop_rows(loop, in_plane);
+  if (loop.matrices)
+    made.bearing = make_bearing(*loop.matrices, made.rows[0].axis, made.rows[1].axis);
   return made;
 }
 

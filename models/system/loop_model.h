@@ -11,6 +11,7 @@
 
 #include "models/loop.h"
 #include "models/space/space.h"
+#include "models/system/bearing_model.h"
 
 namespace spoke {
 
@@ -42,8 +43,9 @@ struct LoopRow {
   double rest = 0.0;                                ///< [-, m]
   double stiffness = 0.0;                           ///< 0: rigid [N/m, N m/rad]
   double damping = 0.0;                             ///< [N s/m, N m s/rad]
+  bool is_of_bearing = false;  ///< the matrices of LoopModel::bearing give it its force
 
-  bool is_rigid() const { return stiffness == 0.0; }
+  bool is_rigid() const { return stiffness == 0.0 && !is_of_bearing; }
   /// Whether it is a length; else an angle.
   bool is_length() const { return kind == Kind::displacement || kind == Kind::distance; }
 };
@@ -67,6 +69,7 @@ struct LoopModel {
   bool turns_to_start = false;     ///< the frame of `from` is the one of `to` at the start
   bool measures_at_start = false;  ///< the distance is that at the start
   std::vector<LoopRow> rows;
+  std::optional<BearingModel> bearing;  ///< the matrices of its two rows, if it has some
   /// Coordinates of a coupling, which has one row and no places: `from` is of the first one's body,
   /// with no force on it; empty: it is a loop.
   std::vector<CoupledCoordinate> coupled;

@@ -32,6 +32,7 @@ std::string describe(const Loop& loop, const std::string& own, bool in_plane) {
   const int rows = in_plane ? count_locked_in_plane(loop.kind) : count_locked(loop.kind);
   int soft = 0;
   for (const double stiffness : loop.stiffness) soft += stiffness > 0.0;
+  if (loop.matrices) soft = rows;
   std::string locks = counted(rows, "row");
   if (soft == rows) locks += rows == 1 ? ", sprung" : ", all sprung";
   if (soft > 0 && soft < rows) locks += fmt::format(", {} sprung", soft);

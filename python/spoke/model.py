@@ -388,7 +388,8 @@ def joint_motion(*, constant=None, time=None, value=None, mean=None, cosine=None
     return _given(locals())
 
 
-def loop(*, name, kind, from_, to, axis=None, length=None, stiffness=None, damping=None, axes=None):
+def loop(*, name, kind, from_, to, axis=None, length=None, stiffness=None, damping=None, speed=None,
+         axes=None):
     """A closed loop: a cut joint between two places.
 
     name: unlike that of any other loop of the blade
@@ -399,9 +400,16 @@ def loop(*, name, kind, from_, to, axis=None, length=None, stiffness=None, dampi
         length, in the frame of to
     length: of a distance [m]
     stiffness: of springs in place of a rigid closure: a number for all directions that are locked,
-        or an array with one number for each; 0: rigid [N/m, N m/rad]
+        or an array with one number for each; 0: rigid [N/m, N m/rad]; or: of springs in place of a
+        rigid closure: a number for all directions that are locked, or an array with one number for
+        each; 0: rigid. Of a bearing also a matrix, [[kxx, kxy], [kyx, kyy]], see below [N/m, N
+        m/rad]
     damping: of dampers beside these springs, likewise; a number is for the directions that have
-        springs [N s/m, N m s/rad]
+        springs [N s/m, N m s/rad]; or: of dampers beside these springs, likewise; a number is for
+        the directions that have springs. Of a bearing also a matrix, with or without one of
+        stiffness [N s/m, N m s/rad]
+    speed: of a bearing whose matrices depend on it, of from against to about axis: then stiffness
+        and damping are arrays of matrices, one for each speed [rad/s]
     axes: two of these, of a universal closure, as they are at the start
     """
     return _given(locals())

@@ -95,6 +95,28 @@ def test_a_program_moves_an_anchor_and_a_loop_carries_the_weight():
     assert np.hypot(2.0 - reach, 1.0 + rise - height) == pytest.approx(1.0, abs=1e-9)
 
 
+def test_a_bearing_takes_matrices_by_speed_from_nested_lists():
+    sim = spoke.Simulation({
+        "world": "space",
+        "hub": {"drive": {"kind": "fixed"}},
+        "subsystem": [{
+            "name": "shaft",
+            "body": [{"name": "disc", "kind": "rigid", "mass": 2.0, "inertia": 0.1}],
+            "joint": [{"name": "spin", "parent": "hub", "child": "disc", "kind": "cylindrical",
+                       "axis": [0.0, 0.0, 1.0], "offset": [1e-3, 0.0, 0.0],
+                       "initial_speed": [5.0, 0.0]}],
+            "loop": [model.loop(name="journal", kind="bearing", from_={"body": "disc"}, to="hub",
+                                axis=[0.0, 0.0, 1.0], speed=[0.0, 10.0],
+                                stiffness=[[[1e3, 0.0], [200.0, 1e3]],
+                                           [[3e3, 0.0], [400.0, 1e3]]])],
+        }],
+        "sensor": [model.sensor(quantity="loop_reaction", name="force", subsystem="shaft",
+                                loop="journal")],
+        "integration": {"duration": 1.0, "step": 0.01}}, executor="serial")
+    assert sim.sensor("shaft.force.force.x") == pytest.approx(-2.0)
+    assert sim.sensor("shaft.force.force.y") == pytest.approx(-0.3)
+
+
 def test_a_program_moves_an_anchor_by_functions_of_time():
     lift = spoke.Curve([0.0, 0.1, 0.5], [0.0, 0.0, 0.02])
     sim = crane(by="program")

@@ -34,6 +34,10 @@ struct LoopRowState {
   double target;        ///< the relative acceleration to be found [m/s^2, rad/s^2]
   double compliance;    ///< of a spring in an implicit pass; 0: rigid [m/(N s^2), rad/(N m s^2)]
   double force;         ///< of a spring in an explicit pass, which is given; else 0 [N, N m]
+  /// Of the first row of a bearing with matrices in an implicit pass: the compliance that it shares
+  /// with the next row; else 0.
+  double shared_compliance;
+  double loss;  ///< power of a bearing's matrices that no spring stores; else 0 [W]
 };
 
 /// How a row takes part in a pass.
@@ -107,6 +111,7 @@ struct LoopData {
   std::vector<LoopRowUse> use;          ///< by row
   int last_body = -1;                   ///< the last body that carries a loop
   std::vector<int> coupled;             ///< bodies whose joints are in couplings
+  std::vector<int> bearings;            ///< first rows of bearings with matrices
   std::vector<std::vector<int>> meets;  ///< by loop: itself and those before that share a body
   /// The order in which rows are eliminated: by place in it the row, and by row the place. Rows of
   /// one loop follow one another.

@@ -54,8 +54,8 @@ void add_carriers(const std::vector<Anchor>& anchors, const std::vector<const Lo
 }
 
 bool is_sprung(const Loop& loop) {
-  return std::any_of(loop.stiffness.begin(), loop.stiffness.end(),
-                     [](double k) { return k > 0.0; });
+  return loop.matrices || std::any_of(loop.stiffness.begin(), loop.stiffness.end(),
+                                      [](double k) { return k > 0.0; });
 }
 
 int find_group(const Scene& scene, LoopPlace::Carrier carrier, int anchor) {

@@ -70,7 +70,14 @@ Eigen::MatrixXd calc_spring_stiffness(const std::vector<ClosureRow>& rows,
   Eigen::VectorXd stiffness = Eigen::VectorXd::Zero(closures.rows());
   for (std::size_t r = 0; r < rows.size(); ++r)
     if (!rows[r].is_dropped) stiffness[static_cast<Eigen::Index>(r)] = rows[r].stiffness;
-  return closures.transpose() * stiffness.asDiagonal() * closures;
+  Eigen::MatrixXd K = closures.transpose() * stiffness.asDiagonal() * closures;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    if (rows[r].other == 0) continue;
+    const auto at = static_cast<Eigen::Index>(r);
+    K +=
+        closures.row(at).transpose() * (rows[r].cross_stiffness * closures.row(at + rows[r].other));
+  }
+  return K;
 }
 
 Eigen::MatrixXd calc_stiffness(std::size_t subsystem, const Eigen::VectorXd& q,

@@ -115,7 +115,8 @@ bool is_round(const LoopModel& loop, const space::Pose& to) {
     case LoopKind::spherical:
       return are_places_round(loop, to);
     case LoopKind::revolute:
-    case LoopKind::cylindrical: {
+    case LoopKind::cylindrical:
+    case LoopKind::bearing: {
       // Its last two rows hold the directions across its axis.
       const LoopRow* across = &loop.rows.back();
       const space::Position axis = to.R * cross(across[0].axis, across[-1].axis);

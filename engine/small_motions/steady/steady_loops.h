@@ -20,10 +20,11 @@ std::vector<ClosureRow> list_rows(const Subsystem<World>& subsystem,
                                   const SubsystemData<World>& data);
 
 /// Sets the states of the loops of subsystem `i`, and in `response` their openings and the forces
-/// of their rows. Precondition: kinematics in the table are those of the state.
+/// of their rows; unless the state holds springs, in `rows` the stiffness that bearings with
+/// matrices have at its speeds. Precondition: kinematics in the table are those of the state.
 template <class World>
-void put_loops(const System<World>& system, std::size_t i, const std::vector<ClosureRow>& rows,
-               const SubsystemState& state, StepData<World>& data, SubsystemResponse& response);
+void put_loops(const System<World>& system, std::size_t i, const SubsystemState& state,
+               std::vector<ClosureRow>& rows, StepData<World>& data, SubsystemResponse& response);
 
 /// Returns what the loops exert on their places by the forces of their rows. Precondition: the
 /// states of loops are set.

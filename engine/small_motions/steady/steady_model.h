@@ -74,8 +74,11 @@ struct ClosureRow {
   bool is_dropped = false;
   double stiffness = 0.0;  ///< 0: rigid [N/m, N m/rad]
   double damping = 0.0;    ///< [N s/m, N m s/rad]
+  /// Of a bearing with matrices: where its other row stands, from this one: 1 or -1; else 0.
+  int other = 0;
+  double cross_stiffness = 0.0;  ///< force on this row by the opening of the other one [N/m]
 
-  bool is_rigid() const { return stiffness == 0.0 && !is_dropped; }
+  bool is_rigid() const { return stiffness == 0.0 && other == 0 && !is_dropped; }
 };
 
 /// The hub's motion besides its steady rotation, in its frame: the rotation vector by which it is

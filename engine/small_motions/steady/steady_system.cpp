@@ -329,7 +329,7 @@ void SteadySystem<World>::evaluate(std::size_t subsystem, const SubsystemState& 
   SubsystemData<World>& own = data(subsystem);
   own.prescribed = hub_motion(hub);
   for (const graph::NodeId node : terms_[subsystem]) graph_->run_node(node);
-  put_loops(context_.system, subsystem, rows_[subsystem], state, context_.data, response);
+  put_loops(context_.system, subsystem, state, rows_[subsystem], context_.data, response);
   calc_forces(context_.system.subsystems[subsystem], own, response);
   response.is_valid =
       response.force.allFinite() && response.openings.allFinite() &&

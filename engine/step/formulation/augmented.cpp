@@ -122,6 +122,16 @@ void add_loops(const Subsystem<World>& model, const SubsystemData<World>& subsys
     }
 }
 
+/// Fills in the compliances that the rows of bearings share.
+template <class World>
+void add_shared_compliances(const SubsystemData<World>& subsystem, int i, Work& work) {
+  for (const int r : subsystem.loops.bearings) {
+    const int row = work.first_loop[i] + r;
+    work.matrix(row + 1, row) = work.matrix(row, row + 1) =
+        -subsystem.loops.states[static_cast<std::size_t>(r)].shared_compliance;
+  }
+}
+
 /// Takes the place of rows whose forces are no unknowns: they are given, or zero.
 template <class World>
 void give_forces(const SubsystemData<World>& subsystem, int i, Work& work) {
@@ -235,6 +245,7 @@ void solve(const System<World>& system, StepData<World>& data, Work& work) noexc
       add_joint(system.subsystems[i], subsystem, static_cast<int>(i), static_cast<int>(j), work);
     }
     add_loops(system.subsystems[i], subsystem, static_cast<int>(i), work);
+    add_shared_compliances(subsystem, static_cast<int>(i), work);
   }
   copy_lower_to_upper(work);
   for (std::size_t i = 0; i < data.subsystems.size(); ++i)

@@ -40,7 +40,7 @@ inline constexpr std::array kSpaceLoopRows{
         .within("letters, digits, `_`, `-`, `.`; up to 64"),
     by_hand("kind", kWord, "the motion of `from` against `to` that is left, see below")
         .required()
-        .among("fixed revolute prismatic universal spherical cylindrical distance"),
+        .among("fixed revolute prismatic universal spherical cylindrical bearing distance"),
     by_hand("from", kText | kTable, "a place on a body, see below").required().as("place"),
     by_hand("to", kText | kTable, "another place").required().as("place"),
     by_hand("axis", kNumbers, spatial::kDirection,
@@ -49,16 +49,23 @@ inline constexpr std::array kSpaceLoopRows{
         .within("not 0")
         .of(std::size_t{3}),
     by_hand("length", kNumber, Quantity::positive("m"), "of a distance").from("that at the start"),
-    by_hand("stiffness", kNumber | kNumbers, Quantity::not_negative("N/m, N m/rad"),
+    by_hand("stiffness", kNumber | kNumbers | kNumberArrays, Quantity::not_negative("N/m, N m/rad"),
             "of springs in place of a rigid closure: a number for all directions that are locked, "
-            "or an array with one number for each; 0: rigid")
+            "or an array with one number for each; 0: rigid. Of a bearing also a matrix, "
+            "`[[kxx, kxy], [kyx, kyy]]`, see below")
         .from("0")
-        .within("0 or more"),
-    by_hand("damping", kNumber | kNumbers, Quantity::not_negative("N s/m, N m s/rad"),
+        .within("0 or more; in a matrix any"),
+    by_hand("damping", kNumber | kNumbers | kNumberArrays,
+            Quantity::not_negative("N s/m, N m s/rad"),
             "of dampers beside these springs, likewise; a number is for the directions that have "
-            "springs")
+            "springs. Of a bearing also a matrix, with or without one of `stiffness`")
         .from("0")
-        .within("0 or more; only with `stiffness`"),
+        .within("0 or more, only with `stiffness`; in a matrix any"),
+    by_hand("speed", kNumbers, Quantity::any("rad/s"),
+            "of a bearing whose matrices depend on it, of `from` against `to` about `axis`: then "
+            "`stiffness` and `damping` are arrays of matrices, one for each speed")
+        .from("matrices are constant")
+        .within("ascending, 2 or more"),
     by_hand("axes", kNumberArrays, "two of these, of a universal closure, as they are at the start")
         .from("required there")
         .within("not parallel")};
@@ -99,7 +106,7 @@ inline constexpr std::array kSpacePlaceRows{
         .of(std::size_t{3}),
     by_hand("orientation", kNumbers, spatial::kAngle, "rotation vector, in these axes")
         .from("as in the plane")
-        .within("of a `spherical` one only of `to`")
+        .within("of a `spherical` one and a `bearing` only of `to`")
         .of(std::size_t{3}),
     by_hand("interface", kText, "of a solid, in place of `station`: name of one of its interfaces")
         .from("the second, where there are two")};

@@ -41,10 +41,11 @@ TEST_CASE("names and kinds of closed loops that cannot be are refused") {
           {kKind, "from",
            "f.toml:36:1: subsystem.1.loop.1.kind: is missing, expected \"fixed\", "
            "\"revolute\", \"prismatic\", \"universal\", \"spherical\", "
-           "\"cylindrical\" or \"distance\""},
+           "\"cylindrical\", \"bearing\" or \"distance\""},
           {kKind, "kind = \"hinge\"\nfrom",
            "f.toml:38:8: subsystem.1.loop.1.kind: is \"hinge\", expected \"fixed\", \"revolute\", "
-           "\"prismatic\", \"universal\", \"spherical\", \"cylindrical\" or \"distance\""},
+           "\"prismatic\", \"universal\", \"spherical\", \"cylindrical\", \"bearing\" or "
+           "\"distance\""},
           {"axis = [0, 1, 0]\n[integration]", "axes = [[0, 1, 0], [1, 0, 0]]\n[integration]",
            "f.toml:41:8: subsystem.1.loop.1.axes: does not belong to kind \"revolute\", expected "
            "only with kind \"universal\""},
@@ -57,7 +58,7 @@ TEST_CASE("names and kinds of closed loops that cannot be are refused") {
            "numbers"},
           {kKind, "kind = \"spherical\"\nfrom",
            "f.toml:41:8: subsystem.1.loop.1.axis: does not belong to kind \"spherical\", expected "
-           "only with kind \"revolute\", \"prismatic\" or \"cylindrical\""},
+           "only with kind \"revolute\", \"prismatic\", \"cylindrical\" or \"bearing\""},
           {kAxis, "\naxi = [0, 1, 0]\n[integration]",
            "f.toml:41:1: subsystem.1.loop.1.axi: unknown key, did you mean \"axis\"?"},
           {kAxis, kAxis.substr(0, 18) + "length = 1.0\n[integration]",

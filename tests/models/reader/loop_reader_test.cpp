@@ -89,6 +89,7 @@ TEST_CASE("each kind of closure is read with its axes and springs") {
         Kind{"universal", LoopKind::universal, "axes = [[0, 0, 2], [0, 1, 0]]", 4},
         Kind{"spherical", LoopKind::spherical, "", 3},
         Kind{"cylindrical", LoopKind::cylindrical, axis.c_str(), 4},
+        Kind{"bearing", LoopKind::bearing, axis.c_str(), 2},
         Kind{"distance", LoopKind::distance, "", 1}}) {
     CAPTURE(kind.name);
     const std::string keys =

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/bodies/kernels/kinematics.h"
+#include "engine/bodies/kernels/loops/bearing_force.h"
 #include "engine/bodies/tree/multi_port.h"
 
 namespace spoke {
@@ -85,8 +86,12 @@ void set_target(const LoopRow& row, LoopRowUse use, const RowMotion& motion,
                 LoopRowState<World>& state) {
   state.opening = motion.opening;
   state.rate = motion.rate;
-  state.compliance = state.force = 0.0;
+  state.compliance = state.shared_compliance = state.force = state.loss = 0.0;
   const bool is_implicit = gains.position > 0.0;
+  if (row.is_of_bearing) {  // the rest is set_bearing()'s
+    state.target = is_implicit ? kinematic : 0.0;
+    return;
+  }
   if (use == LoopRowUse::sprung) {
     const double force = -row.stiffness * motion.opening - row.damping * motion.rate;
     if (!is_implicit) {
@@ -125,6 +130,27 @@ void calc_row(const Subsystem<World>& subsystem, std::size_t loop, int row, cons
   const double kinematic =
       state.from.dot(last.from) + state.hub.dot(last.hub) + state.to.dot(last.to);
   set_target(constants, loops.use[at], motion, gains, known, kinematic, state);
+}
+
+/// Sets the forces of a bearing's matrices, or what they ask for, behind its two rows.
+template <class World>
+void set_bearing(const BearingModel& bearing, const Place& from, const Place& to,
+                 const ClosureGains& gains, LoopRowState<World>* rows) {
+  const BearingForce found = calc_bearing_force(
+      bearing, {rows[0].opening, rows[1].opening}, {rows[0].rate, rows[1].rate},
+      calc_bearing_speed(bearing, from.motion, to.motion), gains.position, gains.velocity);
+  const bool is_implicit = gains.position > 0.0;
+  const Eigen::Vector2d asked = found.compliance * found.force;
+  for (int r = 0; r < 2; ++r) {
+    rows[r].loss = found.loss[r];
+    if (!is_implicit) {
+      rows[r].force = found.force[r];
+      continue;
+    }
+    rows[r].compliance = found.compliance(r, r);
+    rows[r].target += asked[r];
+  }
+  if (is_implicit) rows[0].shared_compliance = found.compliance(1, 0);
 }
 
 // Couplings of joints, of which the plane has none.
@@ -197,6 +223,9 @@ void calc_loop_motion(const System<World>& system, std::size_t i, double t,
     }
     for (int row = 0; row < static_cast<int>(loop.rows.size()); ++row)
       calc_row(subsystem, k, row, from, to, gains, last, data);
+    if (loop.bearing)
+      set_bearing(*loop.bearing, from, to, gains,
+                  &data.loops.states[data.loops.paths[k].first_row]);
   }
 }
 
@@ -228,11 +257,16 @@ double calc_closure_energy(const Subsystem<World>& subsystem,
                            const LoopData<World>& loops) noexcept {
   double energy = 0.0;
   std::size_t r = 0;
-  for (const LoopModel& loop : subsystem.loops)
+  for (const LoopModel& loop : subsystem.loops) {
+    if (loop.bearing) {
+      const Eigen::Vector2d phi(loops.states[r].opening, loops.states[r + 1].opening);
+      energy += 0.5 * phi.dot(loop.bearing->storing() * phi);
+    }
     for (const LoopRow& row : loop.rows) {
       const double opening = loops.states[r++].opening;
       energy += 0.5 * row.stiffness * opening * opening;
     }
+  }
   return energy;
 }
 

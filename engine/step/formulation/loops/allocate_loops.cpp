@@ -48,6 +48,7 @@ void list_paths(const Subsystem<World>& subsystem, LoopData<World>& loops) {
         std::exchange(first_handle, first_handle + static_cast<std::size_t>(path.handles));
     loops.last_body = std::max(loops.last_body, path.bodies.front());  // from the tips on
     for (const CoupledCoordinate& at : loop.coupled) loops.coupled.push_back(at.body);
+    if (loop.bearing) loops.bearings.push_back(path.first_row);
     for (const LoopRow& row : loop.rows)
       loops.use.push_back(row.is_rigid() ? LoopRowUse::solved : LoopRowUse::sprung);
   }

@@ -74,6 +74,8 @@ void factorise_loops(SubsystemData<World>& data) noexcept {
   take_out(is_implicit, loops);
   for (int r = 0; r < loops.rows; ++r)
     loops.entry(r, r) += loops.states[static_cast<std::size_t>(r)].compliance;
+  for (const int r : loops.bearings)
+    loops.entry(r + 1, r) += loops.states[static_cast<std::size_t>(r)].shared_compliance;
   loops.matrix.factorise(loops.pivots);
   keep_first_pivots(*data.progress, loops);
   loops.matrix.solve_lower(loops.half);
@@ -141,13 +143,15 @@ void report_loops(const Subsystem<World>& subsystem, double length,
       const LoopRowUse use = loops.use[r];
       report.power -= loops.multipliers[r] * state.given_rate;
       if (use == LoopRowUse::sprung) report.dissipation += row.damping * state.rate * state.rate;
+      report.dissipation += state.loss;
       const double opening = std::abs(state.opening) / loop.unit_of(row, length);
       if (use == LoopRowUse::solved) report.opening = std::max(report.opening, opening);
       if (use == LoopRowUse::dropped) report.dropped = std::max(report.dropped, opening);
       is_finite = is_finite && std::isfinite(loops.multipliers[r] + opening);
       const auto p = static_cast<std::size_t>(loops.place_of[r]);
       const double left = loops.pivots[p] / first[p];
-      if (is_solved(use, is_implicit) && !(left >= report.least_pivot)) {
+      // Pivots of a bearing with matrices change with these, and nothing is lost where they do.
+      if (is_solved(use, is_implicit) && !row.is_of_bearing && !(left >= report.least_pivot)) {
         report.least_pivot = left;
         report.row = static_cast<std::int64_t>(r);
       }
