@@ -19,6 +19,32 @@ void make_relaxing(Scenario& scenario) {
           coordinate.relaxation = {200.0, 0.02};
 }
 
+/// Holds the panel on a cross-coupled bearing, and the antenna on one whose matrices depend on its
+/// speed.
+void put_on_bearings(Scenario& scenario) {
+  const auto make = [](double xx, double xy, double yx, double yy) {
+    return Eigen::Matrix2d{{xx, xy}, {yx, yy}};
+  };
+  Loop panel;
+  panel.name = "panel_bearing";
+  panel.kind = LoopKind::bearing;
+  panel.from.name = "panel";
+  panel.from.station = 2.0;
+  panel.to.carrier = LoopPlace::Carrier::hub;
+  panel.to.point = {3.6, 2.2, 0.0};
+  panel.axes[0] = {0.0, 1.0, 0.0};
+  panel.matrices = BearingMatrices{{}, {make(200, 60, -60, 150)}, {make(4, 1, -1, 3)}};
+  Loop antenna = panel;
+  antenna.name = "antenna_bearing";
+  antenna.from = {.name = "antenna", .point = {0.25, 0.0, 0.0}};
+  antenna.to = {.name = "boom", .station = 6.0, .point = {0.25, 0.0, 0.0}};
+  antenna.axes[0] = {1.0, 0.0, 0.0};
+  antenna.matrices = BearingMatrices{{-1.0, 0.0, 2.0},
+                                     {make(30, 5, 0, 20), make(20, -5, 5, 30), make(40, 0, 9, 40)},
+                                     {make(1, 0, 0, 1), make(2, 1, -1, 2), make(1, 0, 0, 3)}};
+  scenario.space->subsystems.at(0).loops = {panel, antenna};
+}
+
 /// Gives solids the coordinates of all nodes.
 void make_nodal(Scenario& scenario) {
   for (spatial::Subsystem& subsystem : scenario.space->subsystems)
@@ -68,6 +94,7 @@ std::vector<ZooModel> list_zoo() {
        }},
       {"solid_blade_rotor, nodal", "solid_blade_rotor", make_nodal},
       {"tree_of_bodies, in the wind", "tree_of_bodies", put_in_wind},
+      {"tree_of_bodies, on bearings", "tree_of_bodies", put_on_bearings},
       {"tree_of_bodies, relaxing", "tree_of_bodies", make_relaxing},
       {"tree_of_bodies, with a spin", "tree_of_bodies",
        [](Scenario& s) {
