@@ -17,6 +17,12 @@ std::string make_sliding_mass(const std::string& keys, const Eigen::Vector2d& pl
                               const Eigen::Vector2d& speed, double spin = 0.0, double turn = 0.0,
                               const std::string& gravity = "[0,0,0]");
 
+/// A scenario at rest of a steel shaft along x of 1.5 m and 0.05 m, with discs of 0.07 m and 0.28
+/// and 0.35 m at its thirds, on two bearings at its ends whose matrices are `keys`: Friswell,
+/// Penny, Garvey & Lees, Dynamics of Rotating Machines, 2010, section 5.9. It does not turn about
+/// x.
+std::string make_rotor_on_bearings(const std::string& keys);
+
 /// Returns u(t) of u'' = -A u from rest at u(0). Precondition: A has positive eigenvalues.
 Eigen::Vector2d advance_undamped(const Eigen::Matrix2d& A, const Eigen::Vector2d& start, double t);
 

@@ -192,9 +192,13 @@ TEST_CASE("nodes of bearings declare what they read and write") {
                               method);
 }
 
-TEST_CASE("bearings with springs alone keep momentum and energy by the method's order") {
+TEST_CASE(
+    "rigid bearings, and those with springs alone, keep momentum and energy by the method's "
+    "order") {
   const std::string tie = ", stiffness=[[40,15],[15,30]]";
   check_conservation(make_booms(kFlyingHub, "hub", tie, ", stiffness=300"), 0.1, 2e-4);
+  check_conservation(make_booms(kFlyingHub, "hub", "", ", stiffness=[[300,-90],[-90,200]]"), 0.1,
+                     1e-4);
   check_conservation(make_booms(kFlyingHub, "hub", tie, ", stiffness=[[300,-90],[-90,0]]"), 0.1,
                      2e-4);
 }

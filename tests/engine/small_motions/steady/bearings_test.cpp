@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <complex>
+#include <numbers>
 #include <vector>
 
 #include "engine/equilibrium.h"
@@ -112,6 +113,41 @@ TEST_CASE("bearings: small motions have the roots of the quadratic eigenproblem"
       for (const Mode& mode : modes.modes) off = std::min(off, std::abs(mode.eigenvalue - root));
       CHECK(off < 1e-8 * std::abs(root));
     }
+  }
+}
+
+/// Returns the roots of a shaft with discs on two bearings, those of bending.
+std::vector<std::complex<double>> find_rotor_roots(const std::string& keys) {
+  const ModesResult modes =
+      solve_modes(parse_scenario(test::make_rotor_on_bearings(keys), "f"), {.count = 7});
+  std::vector<std::complex<double>> roots;
+  for (const Mode& mode : modes.modes)
+    if (mode.kind != "torsion") roots.push_back(mode.eigenvalue);
+  return roots;
+}
+
+TEST_CASE("bearings: a shaft on cross-coupled bearings has the published frequencies at rest") {
+  // Friswell et al., example 4 of section 5.9, by six elements [Hz].
+  const double published[] = {11.66259, 14.80139, 33.97000, 49.19360};
+  const auto roots = find_rotor_roots(matrix_key("stiffness", 1e6, 5e5, 5e5, 1e6));
+  for (std::size_t k = 0; k < 4; ++k)
+    CHECK(roots.at(k).imag() / (2.0 * std::numbers::pi) ==
+          doctest::Approx(published[k]).epsilon(3e-5));
+}
+
+TEST_CASE("bearings: the whirl of a shaft persists where circulation is damping by frequency") {
+  // Alike in all directions, with kxy = -kyx = q: at q = c w the whirl at w feels neither.
+  const double w = find_rotor_roots(matrix_key("stiffness", 1e6, 0, 0, 1e6)).at(0).imag();
+  for (const double share : {0.9, 1.0, 1.1}) {
+    const double q = share * 3e3 * w;
+    double growth = -1e9;
+    for (const std::complex<double> root : find_rotor_roots(
+             matrix_key("stiffness", 1e6, q, -q, 1e6) + matrix_key("damping", 3e3, 0, 0, 3e3))) {
+      if (root.real() > growth) growth = root.real();
+      if (share == 1.0 && std::abs(root.real()) < 1e-3)
+        CHECK(root.imag() == doctest::Approx(w).epsilon(1e-9));
+    }
+    CHECK((share == 1.0 ? std::abs(growth) < 1e-6 * w : (growth > 0.0) == (share > 1.0)));
   }
 }
 
