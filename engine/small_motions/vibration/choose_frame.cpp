@@ -20,7 +20,7 @@ bool has_bearings(const spatial::Model& space) {
   const auto has = [&](const auto& parts) {
     for (const auto& part : parts)
       for (const Loop& loop : part.loops)
-        if (!loop.stiffness.empty() && stands(loop.to)) return true;
+        if ((!loop.stiffness.empty() || loop.matrices) && stands(loop.to)) return true;
     return false;
   };
   return has(space.blades) || has(space.subsystems);

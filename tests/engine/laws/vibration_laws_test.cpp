@@ -75,6 +75,7 @@ void calm(spatial::Model& model, std::optional<double> speed) {
   calm(speed, model.hub.drive);
   model.hub.angular_velocity.setZero();
   model.hub_loads.clear();
+  for (spatial::PointLoad& load : model.loads) load.factor = Curve(load.factor.values().back());
   for (spatial::DistributedLoad& load : model.distributed_loads)
     load.factor = Curve(load.factor.values().back());
   if (speed) model.distributed_loads.clear();  // they turn a hub that is free

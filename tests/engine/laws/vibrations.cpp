@@ -14,6 +14,7 @@
 #include "engine/small_motions/steady/linear_support.h"
 #include "engine/small_motions/steady/steady_speed.h"
 #include "engine/small_motions/steady/supported_model.h"
+#include "engine/small_motions/vibration/choose_frame.h"
 #include "engine/small_motions/vibration/fixed_modes.h"
 #include "engine/small_motions/vibration/mode_parts.h"
 #include "engine/small_motions/vibration/multi_blade.h"
@@ -49,10 +50,17 @@ void append(const VectorXcd& part, VectorXcd& motion) {
   motion.tail(part.size()) = part;
 }
 
-/// Returns the motion of a rotor on a support, at an azimuth of its hub [rad], then that of the
-/// support and its axle.
+/// Returns the motion of a rotor that is seen from outside, at an azimuth of its hub [rad]; on a
+/// support then that of the support and its axle.
 VectorXcd move_machine(const Linear& all, const vibration::FixedFrame& frame, const VectorXcd& x,
                        double azimuth) {
+  if (!all.linear.support) {
+    VectorXcd motion = x.head(all.linear.M.rows());
+    for (std::size_t i = 0; i < all.model->subsystems(); ++i)
+      append(all.linear.motion_of(i, frame.motion_of(i, x, azimuth), x.head(all.linear.M.rows())),
+             motion);
+    return motion;
+  }
   const steady::LinearSupport& support = *all.linear.support;
   const VectorXcd z = x.head(support.J.cols());
   const steady::SupportedModel& machine = *all.model->on_support();
@@ -67,13 +75,14 @@ VectorXcd move_machine(const Linear& all, const vibration::FixedFrame& frame, co
 /// Returns the azimuth at which a run starts: a shaft is twisted against a drive that is held
 /// [rad].
 double start_azimuth(const Linear& all, const Scenario& scenario) {
+  if (!all.linear.support) return 0.0;
   const auto& train = all.model->on_support()->parts().train;
   const bool is_held = prescribes_motion(scenario.space->hub.drive);
   return train && is_held ? -all.equilibrium.wrench[5] / train->stiffness : 0.0;
 }
 
-/// Lists those of a rotor on a support, from roots in multi-blade coordinates.
-std::vector<Vibration> list_of_machine(const Scenario& scenario, std::size_t count) {
+/// Lists those of a rotor that is seen from outside, by roots in that frame.
+std::vector<Vibration> list_from_outside(const Scenario& scenario, std::size_t count) {
   const double speed = steady_speed(scenario);
   const auto all = std::make_shared<const Linear>(scenario, true);
   const auto frame = std::make_shared<const vibration::FixedFrame>(
@@ -136,7 +145,8 @@ double steady_speed(const Scenario& scenario) {
 }
 
 std::vector<Vibration> list_vibrations(const Scenario& scenario, std::size_t count) {
-  if (scenario.space && scenario.space->support) return list_of_machine(scenario, count);
+  if (vibration::choose_frame(scenario, std::nullopt) == ModeFrame::fixed)
+    return list_from_outside(scenario, count);
   return list_of_hub(scenario, count);
 }
 

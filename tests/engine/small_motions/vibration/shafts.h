@@ -16,9 +16,9 @@ struct Shaft {
   double speed = 0.0;          ///< [rad/s]
   double second_disc = 0.28;   ///< outer diameter [m]
   double lag_stiffness = 1.0;  ///< of bending in one direction, by that in the other
-  /// Stiffness of bearings, along the shaft next to none, and damping.
-  std::string bearing = "[1e-3, 1e6, 0.8e6]";
-  std::string damping = "[0.0, 0.0, 0.0]";
+  /// Stiffness and damping of bearings across the shaft: numbers, or matrices.
+  std::string bearing = "[1e6, 0.8e6]";
+  std::string damping = "[0.0, 0.0]";
   std::string strain = "automatic";  ///< of the beam
 };
 
@@ -74,8 +74,8 @@ inline std::string make_shaft_text(const Shaft& shaft) {
           "kind = \"fixed\"\n";
   for (const double station : {0.0, 1.5})
     text << "[[subsystem.loop]]\nname = \"" << (station == 0.0 ? "left" : "right")
-         << "\"\nkind = \"spherical\"\nfrom = { body = \"shaft\", station = " << station
-         << " }\nto = { body = \"mount\", point = [" << station
+         << "\"\nkind = \"bearing\"\naxis = [1, 0, 0]\nfrom = { body = \"shaft\", station = "
+         << station << " }\nto = { body = \"mount\", point = [" << station
          << ", 0, 0] }\nstiffness = " << shaft.bearing << "\ndamping = " << shaft.damping << '\n';
   return text.str();
 }
