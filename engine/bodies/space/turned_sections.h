@@ -4,10 +4,10 @@
 // becomes, to second order in the section's rotation th, e_a + th x e_a + 1/2 th x (th x e_a);
 // slots have it without the last term, which makes T less by
 //   1/2 w^T Lambda w = 1/2 th^T M th,     M = tr(P W0) 1 - 1/2 (W0 P + P W0)
-// with W0 = |w|^2 1 - w w^T and the second moment P, in any axes of the body. The rotation is linear
-// between the nodes of an element, as that of slots is: what a round shaft twists has the same
-// inertia at any speed. Of a twist it is the propeller moment, of bending the part of rotary inertia
-// that holds a shaft straight.
+// with W0 = |w|^2 1 - w w^T and the second moment P, in any axes of the body. The rotation is
+// linear between the nodes of an element, as that of slots is: what a round shaft twists has the
+// same inertia at any speed. Of a twist it is the propeller moment, of bending the part of rotary
+// inertia that holds a shaft straight.
 
 #include <vector>
 

@@ -105,7 +105,8 @@ Periodic interpolate(const std::vector<MatrixXd>& values) {
     const double psi = 2.0 * std::numbers::pi * static_cast<double>(k) / count;
     sum.parts[0] += values[k] / count;
     for (std::size_t p = 1; p < values.size(); ++p) {
-      const double angle = psi * static_cast<double>((p + 1) / 2);
+      const std::size_t multiple = (p + 1) / 2;
+      const double angle = psi * static_cast<double>(multiple);
       sum.parts[p] += 2.0 / count * (p % 2 == 1 ? std::cos(angle) : std::sin(angle)) * values[k];
     }
   }

@@ -33,9 +33,10 @@ inline constexpr std::array kJointRows{
     by_hand("damping", kNumber | kNumbers, spatial::kJointDamping, "of a damper")
         .from("0")
         .within("0 or more"),
-    by_hand("free", kTexts,
-            "of a bushing: directions that move without a spring and a damper, of `\"x\"`, `\"y\"`, "
-            "`\"z\"`, `\"about x\"`, `\"about y\"` and `\"about z\"`")
+    by_hand(
+        "free", kTexts,
+        "of a bushing: directions that move without a spring and a damper, of `\"x\"`, `\"y\"`, "
+        "`\"z\"`, `\"about x\"`, `\"about y\"` and `\"about z\"`")
         .from("none"),
     by_hand("rest", kNumber | kNumbers, spatial::kJointPosition,
             "coordinate at which the spring is at rest")
