@@ -40,11 +40,6 @@ void add_part(const spatial::BodyDrag& drag, int body, const std::vector<double>
   }
 }
 
-/// Whether a body of a tree is one that is described, or a part of it.
-bool is_part(const spatial::TreeBody& body, const std::string& name) {
-  return body.name == name || body.name.starts_with(name + " / body ");
-}
-
 }  // namespace
 
 std::shared_ptr<const DragModel> make_drag(const std::vector<spatial::Body>& described,
@@ -56,7 +51,7 @@ std::shared_ptr<const DragModel> make_drag(const std::vector<spatial::Body>& des
     if (!body.drag) continue;
     for (std::size_t j = 0; j < tree.bodies.size(); ++j) {
       const spatial::TreeBody& own = tree.bodies[j];
-      if (own.is_hub() || own.is_generator() || !is_part(own, body.name)) continue;
+      if (own.is_hub() || own.is_generator() || !is_part_of(own, body.name)) continue;
       const int index = static_cast<int>(j);
       if (const auto* part = std::get_if<spatial::FlexibleBody>(&own.shape))
         add_part(*body.drag, index, part->nodes, made.bodies[j].begin, model);

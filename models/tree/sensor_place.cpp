@@ -8,15 +8,6 @@
 #include <variant>
 
 namespace spoke::spatial {
-namespace {
-
-/// Whether a body has a name; all bodies into which a beam is cut have that of the beam.
-bool belongs(const TreeBody& body, const std::string& name) {
-  return name.empty() || body.name == name || body.name.starts_with(name + " / body ");
-}
-
-}  // namespace
-
 int SensorPlace::body_at(const Tree& of, double station) const {
   assert(!bodies.empty());
   const double resolution = 1e-9 * std::abs(station);
@@ -37,7 +28,8 @@ std::vector<SensorPlace> find_places(const Sensor& sensor, std::size_t blades,
     if (!is_there) continue;
     SensorPlace place{i};
     for (std::size_t j = 0; j < trees[i].bodies.size(); ++j)
-      if (belongs(trees[i].bodies[j], sensor.body)) place.bodies.push_back(static_cast<int>(j));
+      if (sensor.body.empty() || is_part_of(trees[i].bodies[j], sensor.body))
+        place.bodies.push_back(static_cast<int>(j));
     if (!place.bodies.empty()) places.push_back(std::move(place));
   }
   return places;

@@ -35,6 +35,10 @@ std::int64_t count_coordinates(const Tree& tree) {
   return count;
 }
 
+bool is_part_of(const TreeBody& body, const std::string& name) {
+  return body.name == name || body.name.starts_with(name + " / body ");
+}
+
 std::size_t find_hub(const Tree& support, int rotor) {
   const auto hub = std::find_if(support.bodies.begin(), support.bodies.end(),
                                 [rotor](const TreeBody& body) { return body.rotor == rotor; });

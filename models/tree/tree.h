@@ -97,6 +97,9 @@ std::vector<Tree> build_trees(const Model& model);
 /// Returns the frame of the blades in the hub's frame, its z axis along the hub's axis.
 Placement rotor_placement(const Hub& hub);
 
+/// Whether a body of a tree is the one that is described by a name, or a part of that beam.
+bool is_part_of(const TreeBody& body, const std::string& name);
+
 /// Returns the index of the body of a support's tree that is the hub of a rotor.
 std::size_t find_hub(const Tree& support, int rotor);
 

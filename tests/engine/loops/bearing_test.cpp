@@ -167,15 +167,7 @@ TEST_CASE("three formulations move bearings with matrices alike") {
   for (const auto& [hub, base] : {std::pair(kTurningAxle, "mount"), std::pair(kFlyingHub, "hub")})
     for (const Method& method : {Method(make_generalized_alpha(0.8, 5e-4)), Method(Rk4{2e-4})}) {
       const System<Space> system = make_booms(hub, base, kCrossed, kTable);
-      const auto run = [&](Formulation formulation) {
-        auto made = std::make_unique<Run<Space>>(
-            system, RunSetup{.method = method, .formulation = formulation});
-        made->advance(100);
-        return made;
-      };
-      const auto structured = run(Formulation::structured);
-      CHECK(largest_difference(*structured, *run(Formulation::subsystem)) < 1e-10);
-      CHECK(largest_difference(*structured, *run(Formulation::augmented)) < 1e-10);
+      check_formulations(system, method, 100, 1e-10);
     }
 }
 

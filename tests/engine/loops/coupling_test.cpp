@@ -255,15 +255,7 @@ TEST_CASE("a coupling in each blade ties its pitch to its flap") {
       "}] } ]\n" +
       kSteps;
   const System<Space> system = make_system(parse_model(text));
-  const auto run = [&system](Formulation formulation) {
-    auto made = std::make_unique<Run<Space>>(
-        system, RunSetup{.method = make_generalized_alpha(0.8, 1e-3), .formulation = formulation});
-    made->advance(60);
-    return made;
-  };
-  const auto structured = run(Formulation::structured);
-  CHECK(largest_difference(*structured, *run(Formulation::subsystem)) < 1e-10);
-  CHECK(largest_difference(*structured, *run(Formulation::augmented)) < 1e-10);
+  const auto structured = check_formulations(system, make_generalized_alpha(0.8, 1e-3), 60, 1e-10);
   for (const SubsystemData<Space>& blade : structured->context.data.subsystems) {
     const double flap = blade.bodies[1].joint.coordinates.q[0];
     CHECK(std::abs(flap - 0.1) > 0.05);
@@ -282,15 +274,7 @@ TEST_CASE("formulations agree on couplings, of rigid and elastic bodies, with lo
           CAPTURE(hub);
           const System<Space> system =
               make_system(parse_model(make_arms(is_elastic, has_rod, hub)));
-          const auto run = [&](Formulation formulation) {
-            auto made = std::make_unique<Run<Space>>(
-                system, RunSetup{.method = method, .formulation = formulation});
-            made->advance(100);
-            return made;
-          };
-          const auto structured = run(Formulation::structured);
-          CHECK(largest_difference(*structured, *run(Formulation::subsystem)) < 1e-10);
-          CHECK(largest_difference(*structured, *run(Formulation::augmented)) < 1e-10);
+          const auto structured = check_formulations(system, method, 100, 1e-10);
           CHECK(structured->context.data.subsystems[0].loops.report.opening < 1e-12);
         }
 }

@@ -178,15 +178,7 @@ TEST_CASE("formulations agree on a flying rotor behind a drive train") {
   const System<Space> system = make_system(
       parse_model(make_flying("kind='torque'\ntorque=30\ninitial_speed=6\n", "damping=3\n")));
   for (const Method& method : {Method(make_generalized_alpha(0.8, 1e-3)), Method(Rk4{2e-4})}) {
-    const auto run = [&](Formulation formulation) {
-      auto made = std::make_unique<Run<Space>>(
-          system, RunSetup{.method = method, .formulation = formulation});
-      made->advance(100);
-      return made;
-    };
-    const auto structured = run(Formulation::structured);
-    CHECK(largest_difference(*structured, *run(Formulation::subsystem)) < 1e-9);
-    CHECK(largest_difference(*structured, *run(Formulation::augmented)) < 1e-9);
+    check_formulations(system, method, 100, 1e-9);
     check_equal_bits(system, method, 30);
     for (const Formulation formulation : kFormulations)
       check_step_declarations(system, formulation, method);

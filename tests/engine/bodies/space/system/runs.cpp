@@ -151,6 +151,20 @@ double largest_difference(const Run<Space>& a, const Run<Space>& b) {
   return (deformations(a) - deformations(b)).cwiseAbs().maxCoeff();
 }
 
+std::unique_ptr<Run<Space>> check_formulations(const System<Space>& system, const Method& method,
+                                               std::int64_t steps, double tolerance) {
+  const auto run = [&](Formulation formulation) {
+    auto made = std::make_unique<Run<Space>>(
+        system, RunSetup{.method = method, .formulation = formulation});
+    made->advance(steps);
+    return made;
+  };
+  auto structured = run(Formulation::structured);
+  CHECK(largest_difference(*structured, *run(Formulation::subsystem)) < tolerance);
+  CHECK(largest_difference(*structured, *run(Formulation::augmented)) < tolerance);
+  return structured;
+}
+
 void check_equal_bits(const System<Space>& system, const Method& method, std::int64_t steps) {
   const auto hash = [&](graph::ExecutorKind executor, int threads, int window) {
     Run<Space> run(system, {.method = method,

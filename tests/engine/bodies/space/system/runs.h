@@ -67,6 +67,11 @@ Eigen::VectorXd deformations(const Run<Space>& run);
 /// Returns the largest difference of a deformation or joint coordinate.
 double largest_difference(const Run<Space>& a, const Run<Space>& b);
 
+/// Checks that the three formulations agree after so many steps, within a tolerance [rad, m].
+/// Returns the run of `structured`.
+std::unique_ptr<Run<Space>> check_formulations(const System<Space>& system, const Method& method,
+                                               std::int64_t steps, double tolerance);
+
 /// Checks that a system has one state after so many steps, whatever executes them, on any number of
 /// threads and in any windows.
 void check_equal_bits(const System<Space>& system, const Method& method, std::int64_t steps);
