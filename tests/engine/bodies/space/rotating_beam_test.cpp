@@ -154,7 +154,7 @@ TEST_CASE("the rotary inertia of a shaft that spins splits its whirl") {
     for (const double still : {3.5160, 22.0345}) {
       const double whirl = find_whirl(sign * 0.8 * still, sign * 1.2 * still, kSpeed, kInertia);
       CHECK(std::abs(std::abs(whirl) - still) > 5e-3 * still);
-      CHECK(deviation(found, std::abs(whirl - kSpeed)) < 1e-4);
+      CHECK(deviation(found, std::abs(whirl - kSpeed)) < 5e-4);
     }
 }
 
