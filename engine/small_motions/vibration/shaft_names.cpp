@@ -5,7 +5,7 @@
 namespace spoke::vibration {
 
 ShaftMotion describe_shaft(const SubsystemShape& shape, double speed) {
-  constexpr double kFlat = 0.02;  // of an ellipse that counts as a line, by its greater axis
+  constexpr double kFlat = 0.02;  // twice the ratio of axes of an ellipse that counts as a line
   double across = 0.0, along = 0.0, about = 0.0, round = 0.0;
   for (Eigen::Index at = 0; at < shape.weighed.size(); at += 6) {
     const std::complex<double> x = shape.weighed[at], y = shape.weighed[at + 1];
