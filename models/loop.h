@@ -39,11 +39,14 @@ SPOKE_EXPORT int count_axes(LoopKind kind);
 SPOKE_EXPORT std::string_view name_of(LoopKind kind);
 
 /// A place that a loop is fixed to: a frame on a body of its blade or subsystem, on the hub, on the
-/// mount that holds the hub's axle, or on an anchor. A place of a loop on these three is given as a
-/// blade or subsystem at the azimuth 0 has it, and turned by its azimuth about the hub's axis.
+/// mount that holds the hub's axle, on an anchor, or on a body of another blade or subsystem. A
+/// place of a loop on hub, mount or anchor is given as a blade or subsystem at the azimuth 0 has it,
+/// and turned by its azimuth about the hub's axis.
 struct LoopPlace {
   /// What carries the place; `hub` is, of a loop of a support, what the support stands on.
-  enum class Carrier { body, hub, mount, anchor };
+  /// `elsewhere`: a body of the blade or subsystem that `blade` or `subsystem` says; in space, only
+  /// of `to`.
+  enum class Carrier { body, hub, mount, anchor, elsewhere };
 
   Carrier carrier = Carrier::body;
   /// Name of a body of the subsystem, or of an anchor; empty: the blade, hub or mount.
@@ -59,6 +62,9 @@ struct LoopPlace {
   std::optional<spatial::Vector> orientation = std::nullopt;
   /// Interface of a solid, by its name; empty: the only one that does not carry its frame.
   std::string interface {};
+  /// Elsewhere, one of these: the number of the blade, from 1; the name of the subsystem.
+  int blade = 0;
+  std::string subsystem{};
 };
 
 /// Springs and dampers of a bearing as matrices over the two directions across its axis, which need

@@ -96,10 +96,11 @@ class ModelOn final : public SimulatedModel {
     for (int c = 0; c < World::kTwist; ++c) extent.coordinates += !is_prescribed(system().hub, c);
     for (const Subsystem<World>& subsystem : system().subsystems)
       for (const LoopModel& loop : subsystem.loops)
-        ++(loop.is_coupling() ? extent.couplings : extent.loops);
+        if (!loop.is_share) ++(loop.is_coupling() ? extent.couplings : extent.loops);
     for (const SubsystemData<World>& subsystem : data().subsystems)
-      extent.independent_rows += static_cast<int>(
-          std::count(subsystem.loops.use.begin(), subsystem.loops.use.end(), LoopRowUse::solved));
+      for (std::size_t r = 0; r < subsystem.loops.use.size(); ++r)
+        extent.independent_rows += subsystem.loops.use[r] == LoopRowUse::solved &&
+                                   subsystem.loops.level[r] != LoopRowLevel::share;
     return extent;
   }
   double memory_bytes() const override {

@@ -132,6 +132,11 @@ void SimulationCore::require_shareable(const Loads& loads) const {
       throw InputError(text + "anchor \"" + anchor.name +
                        "\" stands beside the axle, whose wrench takes the forces on it from all "
                        "blades, of which each process has its own; expected one process");
+  if (const SystemContext<Space>* space = model->space();
+      space && !space->system.shared_loops.empty())
+    throw InputError(text +
+                     "a loop is between subsystems, of which each process has its own; "
+                     "expected one process");
   const int subsystems = model->extent().subsystems;
   if (count > subsystems)
     throw InputError(text + "it has " + counted(subsystems, "subsystem") +

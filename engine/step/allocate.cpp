@@ -7,7 +7,7 @@
 #include "engine/bodies/kernels/applied_forces.h"
 #include "engine/bodies/kernels/hub_motion.h"
 #include "engine/bodies/kernels/space/put_joint.h"
-#include "engine/step/formulation/loops/loops.h"
+#include "engine/step/formulation/loops/shared_loops.h"
 #include "engine/step/loops/loop_start.h"
 #include "engine/step/step_context.h"
 #include "engine/step/step_errors.h"
@@ -94,10 +94,11 @@ void allocate(SystemContext<World>& context, int window_steps) {
   StepData<World>& data = context.data;
   const bool is_coupled = context.formulation == Formulation::augmented ||
                           !is_prescribed(context.system) || !context.system.rotors.empty() ||
-                          context.loads_tie_subsystems;
+                          context.loads_tie_subsystems || !context.system.shared_loops.empty();
   allocate(context.system, {history, !alpha, is_coupled, window_steps, context.linear_range}, data);
   for (std::size_t i = 0; i < data.subsystems.size(); ++i)
     allocate_loops(context.system.subsystems[i], data.subsystems[i]);
+  allocate_shared_loops(context.system, data);
   set_lengths(data);
   close_loops_by(context);
   for (SubsystemData<World>& subsystem : data.subsystems)

@@ -84,6 +84,11 @@ void add_finish(const Assembly<World>& g) {
     list_states(c.data.subsystems[i], reports, outputs);
   }
   if (is_corrected) outputs.push_back(parts.hub_state);
+  for (const int i : c.data.shared_loops.visited) {  // see update_shared_loops()
+    const SubsystemParts& own = g.subsystem(i);
+    graph::add_to(outputs, own.loops.motion, own.rotations, own.twists);
+    graph::add_to(reports, own.all(&BodyParts::coordinates));
+  }
   g.builder.add_node(
       g.label(stages::kFinish),
       reads(supports, reports, all_of(g, &BodyParts::report), all_of(g, &BodyParts::power),
@@ -102,6 +107,7 @@ void add_finish(const Assembly<World>& g) {
         const double t = static_cast<double>(progress.completed) * step_size(c.integrator);
         update_rotors(c.system, t, c.data);
         record_rotors(c.system, t, progress.completed, c.data);
+        update_shared_loops(c.system, c.data);
       });
 }
 
@@ -139,6 +145,13 @@ void add_sensors(const Assembly<World>& g, int i) {
   for (const PartId part : sample_outputs(g, i)) outputs.push_back(part);
   if (!own.loops.is_empty()) outputs.push_back(own.loops.motion);
   PartList shown;
+  // Places elsewhere, see calc_readings().
+  if (const std::vector<int>& visited = table.shared_loops.visited;
+      std::find(visited.begin(), visited.end(), i) != visited.end())
+    for (const int other : visited)
+      if (const SubsystemParts& there = g.subsystem(other); other != i)
+        graph::add_to(shown, there.loops.motion, there.rotations, there.twists,
+                      there.all(&BodyParts::coordinates));
   for (const auto& actor : table.actors) actor->list_shown(i, shown);
   const PartList inputs{own.rotations, own.twists};
   if (is_corrected) graph::add_to(outputs, inputs);

@@ -83,6 +83,7 @@ void end_copy(SystemContext<World>& original, std::int64_t steps, SystemContext<
   copy.loop_start = original.loop_start;
   for (std::size_t i = 0; i < copy.data.subsystems.size(); ++i)
     copy.data.subsystems[i].loops.use = original.data.subsystems[i].loops.use;
+  copy.data.shared_loops.rows.use = original.data.shared_loops.rows.use;
   // Besides the values of a saved state it holds the pivots of loops at the start.
   const Memory from = original.data.state_memory(), to = copy.data.state_memory();
   assert(from.size() == to.size());

@@ -6,7 +6,7 @@
 #include "engine/bodies/kernels/hub_solve.h"
 #include "engine/bodies/kernels/space/fetch_ahead.h"
 #include "engine/bodies/kernels/space/supported_rotor.h"
-#include "engine/step/formulation/loops/loops.h"
+#include "engine/step/formulation/loops/shared_loops.h"
 #include "engine/step/formulation/tree_joints.h"
 #include "engine/step/pass_integration.h"
 #include "engine/step/recovery_end.h"
@@ -128,11 +128,16 @@ void add_rotor_sum(const Assembly<World>& g, int r) {
   const auto index = static_cast<std::size_t>(r);
   SystemContext<World>& c = g.c;
   const bool is_condensed = c.formulation != Formulation::augmented;
-  g.builder.add_node(label_of_rotor(g, stages::kRotorSum, r),
-                     reads(g.parts().progress, parts_of_rotor_sum(index, is_condensed, c.data)),
-                     updates(g.parts().rotors[index].carried),
+  PartList inputs = parts_of_rotor_sum(index, is_condensed, c.data), loops;
+  if (is_condensed) {
+    graph::add_to(inputs, parts_of_rows_on_hub(c.system, index, c.data));
+    loops = parts_with_rows_on_hub(c.system, index, c.data);
+  }
+  g.builder.add_node(label_of_rotor(g, stages::kRotorSum, r), reads(g.parts().progress, inputs),
+                     updates(g.parts().rotors[index].carried, loops),
                      unless_halted(c.data.progress[0], [&c, index, is_condensed]() noexcept {
                        sum_rotor(c.system, index, is_condensed, c.data);
+                       if (is_condensed) put_rows_on_hub(c.system, index, c.data);
                      }));
 }
 
@@ -141,9 +146,13 @@ void add_hub_solve(const Assembly<World>& g) {
   SystemContext<World>& c = g.c;
   g.builder.add_node(g.label(c.system.rotors.empty() ? stages::kHubSolve : stages::kSupportSolve),
                      reads(g.parts().progress, parts_of_hub_solution(c.data),
-                           parts_of_completed_hub(c.system, c.integrator.method, c.data)),
-                     writes(hub_outputs(g)), unless_halted(c.data.progress[0], [&c]() noexcept {
+                           parts_of_completed_hub(c.system, c.integrator.method, c.data),
+                           parts_of_shared_loops(c.data)),
+                     updates(parts_with_shared_loops(c.data)), writes(hub_outputs(g)),
+                     unless_halted(c.data.progress[0], [&c]() noexcept {
+                       factorise_shared_loops(c.system, c.data);
                        solve_hub(c.system, c.data);
+                       calc_shared_forces(c.system, c.data);
                        complete_hub(c.system, c.integrator.method, c.data);
                      }));
 }

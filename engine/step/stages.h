@@ -20,6 +20,8 @@ inline constexpr Stage kMass{"mass", StageRole::terms};
 inline constexpr Stage kInverse{"inverse", StageRole::solution};
 inline constexpr Stage kEffective{"effective", StageRole::solution};
 inline constexpr Stage kLoopMotion{"loop motion", StageRole::solution};  ///< stages of closed loops
+inline constexpr Stage kSharedLoopMotion{"shared loop motion",
+                                         StageRole::system};  ///< between subsystems
 inline constexpr Stage kLoopColumns{"loop columns", StageRole::solution};
 inline constexpr Stage kLoopFactor{"loop factor", StageRole::solution};
 inline constexpr Stage kLoopForces{"loop forces", StageRole::solution};
@@ -46,37 +48,17 @@ inline constexpr Stage kShareForces{"share forces", StageRole::system};
 inline constexpr Stage kShareInertias{"share inertias", StageRole::system};
 inline constexpr Stage kShareReports{"share reports", StageRole::system};
 
-inline constexpr std::array kAll{kHubMotion,
-                                 kCoordinates,
-                                 kPosition,
-                                 kVelocity,
-                                 kAppliedForces,
-                                 kFlightAcceleration,
-                                 kMass,
-                                 kInverse,
-                                 kEffective,
-                                 kLoopMotion,
-                                 kLoopColumns,
-                                 kLoopFactor,
-                                 kLoopForces,
-                                 kHubSolve,
-                                 kSupportMotion,
-                                 kRotorSum,
-                                 kSupportEffective,
-                                 kSupportSolve,
-                                 kSupportRecovery,
-                                 kSolve,
-                                 kMultipliers,
-                                 kRecovery,
-                                 kFinish,
-                                 kSensors,
-                                 kMassTile,
-                                 kForward,
-                                 kBackward,
-                                 kCompletion,
-                                 kShareForces,
-                                 kShareInertias,
-                                 kShareReports};
+inline constexpr std::array kAll{kHubMotion,     kCoordinates,      kPosition,
+                                 kVelocity,      kAppliedForces,    kFlightAcceleration,
+                                 kMass,          kInverse,          kEffective,
+                                 kLoopMotion,    kSharedLoopMotion, kLoopColumns,
+                                 kLoopFactor,    kLoopForces,       kHubSolve,
+                                 kSupportMotion, kRotorSum,         kSupportEffective,
+                                 kSupportSolve,  kSupportRecovery,  kSolve,
+                                 kMultipliers,   kRecovery,         kFinish,
+                                 kSensors,       kMassTile,         kForward,
+                                 kBackward,      kCompletion,       kShareForces,
+                                 kShareInertias, kShareReports};
 
 /// Returns the stage of this name; null: none of every pass.
 constexpr const Stage* find(std::string_view name) {

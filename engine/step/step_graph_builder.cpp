@@ -30,7 +30,9 @@
 //                                  +-> hub solve, once, behind all passes of all subsystems
 //
 // Closed loops add "loop motion" behind "velocity", a node "loop columns" for each loop and "loop
-// factor" behind "effective", and "loop forces" before "multipliers". The hub does not see them.
+// factor" behind "effective", and "loop forces" before "multipliers". The hub does not see them,
+// unless they are between subsystems: these have "shared loop motion" behind "loop motion" of all
+// subsystems, and "hub solve" solves for their forces. The passes of all subsystems are one then.
 //
 // Actors (engine/bodies/table/actor.h) add nodes in two places. Controllers of a subsystem are a
 // node "control" before all of these, which changes nothing but in the first pass of a step;
@@ -222,6 +224,7 @@ void add_coupled_pass(const Assembly<World>& g, const Extent& own) {
     for (const int r : find_rotors_on(pass.c.system, i)) add_rotor_motion(pass, r);
   });
   for_others(add_motion<World>);
+  add_shared_loop_motion(g);
   for_each([](const Assembly<World>& pass, int i) { add_actors(pass, PassPlace::on_motion, i); });
   for_each(add_applied_forces<World>);
   if (own.sharing && own.sharing->forces) {

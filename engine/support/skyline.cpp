@@ -93,15 +93,20 @@ Skyline::Skyline(std::vector<int> first, Arena& arena) : first_(std::move(first)
 
 void Skyline::set_zero() noexcept { std::fill(values_.begin(), values_.end(), 0.0); }
 
-void Skyline::factorise(std::span<double> pivots) noexcept {
-  assert(std::cmp_equal(pivots.size(), rows()));
+void Skyline::factorise(std::span<double> pivots, int count) noexcept {
+  assert(std::cmp_equal(pivots.size(), rows()) && 0 <= count && count <= rows());
   for (int r = 0; r < rows(); ++r) {
     double* const own = values_.data() + begin_[static_cast<std::size_t>(r)];
     const double diagonal = own[r];
     for (int c = first(r); c <= r; ++c) {
       const double* const other = values_.data() + begin_[static_cast<std::size_t>(c)];
       double sum = own[c];
-      for (int k = std::max(first(r), first(c)); k < c; ++k) sum -= own[k] * other[k];
+      const int end = std::min(c, count);
+      for (int k = std::max(first(r), first(c)); k < end; ++k) sum -= own[k] * other[k];
+      if (c >= count) {
+        own[c] = sum;
+        continue;
+      }
       if (c < r) {
         own[c] = sum / other[c];
         continue;
@@ -112,11 +117,13 @@ void Skyline::factorise(std::span<double> pivots) noexcept {
   }
 }
 
-void Skyline::solve_upper(std::span<double> x) noexcept {
-  assert(std::cmp_equal(x.size(), rows()));
+void Skyline::solve_upper(std::span<double> x, int count) noexcept {
+  assert(std::cmp_equal(x.size(), rows()) && 0 <= count && count <= rows());
   for (int r = rows(); r-- > 0;) {
-    const double own = x[static_cast<std::size_t>(r)] /= entry(r, r);
-    for (int c = first(r); c < r; ++c) x[static_cast<std::size_t>(c)] -= entry(r, c) * own;
+    if (r < count) x[static_cast<std::size_t>(r)] /= entry(r, r);
+    const double own = x[static_cast<std::size_t>(r)];
+    for (int c = first(r); c < r && c < count; ++c)
+      x[static_cast<std::size_t>(c)] -= entry(r, c) * own;
   }
 }
 

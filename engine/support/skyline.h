@@ -28,21 +28,34 @@ class Skyline {
   std::span<double> values() { return values_; }
   void set_zero() noexcept;
 
-  /// Puts the factor L of a matrix L L^T in its place; `pivots`: squares of L's diagonal as they
-  /// come out. One that has vanished is replaced, so that the rest stays finite.
-  void factorise(std::span<double> pivots) noexcept;
+  /// Returns an element of the lower triangle; 0 where none is stored.
+  double value(int r, int c) const {
+    assert(0 <= c && c <= r && r < rows());
+    return c < first(r)
+               ? 0.0
+               : values_[begin_[static_cast<std::size_t>(r)] + static_cast<std::size_t>(c)];
+  }
 
-  /// Puts L^-1 x in the place of x, of numbers or vectors.
+  // The first `count` rows are eliminated; what they leave of the others is their Schur complement.
+  // With all rows that is the whole matrix.
+
+  /// Puts the factor [L 0; B 1] of a matrix [L L^T, L B^T; B L^T, B B^T + S] in its place, with S,
+  /// the Schur complement, in that of its last block; `pivots`: squares of L's diagonal as they
+  /// come out. One that has vanished is replaced, so that the rest stays finite.
+  void factorise(std::span<double> pivots, int count) noexcept;
+
+  /// Puts [L 0; B 1]^-1 x in the place of x, of numbers or vectors.
   template <class Columns>
-  void solve_lower(Columns& x) {
+  void solve_lower(Columns& x, int count) {
     for (int r = 0; r < rows(); ++r) {
       auto& own = x[static_cast<std::size_t>(r)];
-      for (int c = first(r); c < r; ++c) own -= entry(r, c) * x[static_cast<std::size_t>(c)];
-      own /= entry(r, r);
+      for (int c = first(r); c < r && c < count; ++c)
+        own -= entry(r, c) * x[static_cast<std::size_t>(c)];
+      if (r < count) own /= entry(r, r);
     }
   }
-  /// Puts L^-T x in the place of x.
-  void solve_upper(std::span<double> x) noexcept;
+  /// Puts [L 0; B 1]^-T x in the place of x.
+  void solve_upper(std::span<double> x, int count) noexcept;
 
  private:
   std::vector<int> first_;

@@ -328,6 +328,8 @@ int count_locked_places(LoopKind kind, bool in_plane) {
 }
 
 Fault find_fault(const LoopPlace& place, const LoopSurroundings& around) {
+  if (place.carrier == LoopPlace::Carrier::elsewhere)  // see spatial::find_loop_end_fault()
+    return around.in_plane ? Fault{"", "is on another blade, expected a model in space"} : Fault{};
   const FirstFault first;
   first.add(find_double_mount(place, around));
   if (place.carrier == LoopPlace::Carrier::mount) first.add(find_mount_place(around));

@@ -11,6 +11,15 @@ namespace {
 using spatial::place_shape;
 using spatial::rotation_shape;
 
+/// Sets what says a place elsewhere.
+void add_elsewhere(const LoopPlace& place, Json& json) {
+  if (place.subsystem.empty())
+    json.set("blade", place.blade);
+  else
+    json.set("subsystem", place.subsystem);
+  if (!place.name.empty()) json.set("body", place.name);
+}
+
 Json to_json(const LoopPlace& place, const LoopSurroundings& around) {
   Json json = Json::object();
   std::optional<double> station = place.station;
@@ -29,6 +38,9 @@ Json to_json(const LoopPlace& place, const LoopSurroundings& around) {
       // A point alone would say the station.
       if (const LoopBody* body = around.find(place); body != nullptr && !station)
         station = body->length;
+      break;
+    case LoopPlace::Carrier::elsewhere:
+      add_elsewhere(place, json);
       break;
   }
   if (station) json.set("station", *station);

@@ -7,6 +7,7 @@
 #include "models/reader/bearing_reader.h"
 #include "models/reader/keys/loop_keys.h"
 #include "models/reader/row_reader.h"
+#include "models/reader/spatial/loop_ends.h"
 #include "models/reader/spatial/vector_reader.h"
 
 namespace spoke {
@@ -57,8 +58,28 @@ void check_kind_keys(const TomlSection& section, LoopKind kind, bool in_plane) {
       section.fail(key, std::string(kMatrixOfOther));
 }
 
+/// Reads a place on another blade or subsystem, of which all else is looked at later.
+void read_elsewhere(const TomlSection& table, LoopPlace& place) {
+  if (table.has("blade") && table.has("subsystem"))
+    table.fail("blade", "given along with subsystem, expected only one of them");
+  if (table.has("anchor"))
+    table.fail("anchor", std::string("given along with ") +
+                             (table.has("blade") ? "blade" : "subsystem") +
+                             ", expected only one of them");
+  place.carrier = LoopPlace::Carrier::elsewhere;
+  place.name = table.text("body", "");
+  place.subsystem = table.text("subsystem", "");
+  if (!table.has("blade")) return;
+  if (table.is_text("blade"))
+    table.choice("blade", {"next"});
+  else
+    place.blade = table.integer("blade", {1, kMostOfAKind});
+  if (place.blade == 0) place.blade = spatial::kNextBlade;
+}
+
 /// Reads what carries a place by its name.
 void read_carrier(const TomlSection& table, const LoopSurroundings& around, LoopPlace& place) {
+  if (table.has("blade") || table.has("subsystem")) return read_elsewhere(table, place);
   if (table.has("anchor")) {
     if (table.has("body")) table.fail("anchor", "given along with body, expected only one of them");
     place.carrier = LoopPlace::Carrier::anchor;

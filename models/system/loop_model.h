@@ -17,7 +17,7 @@ namespace spoke {
 
 /// A place of a loop. Its frame is that of its handle, of H, of the frame A in which the axle
 /// turns, or of an anchor, moved and turned by a constant offset. (A handle's frame turns with its
-/// section.)
+/// section.) One elsewhere is where the end of the loop is, see SharedLoop.
 struct LoopPlaceModel {
   LoopPlace::Carrier carrier = LoopPlace::Carrier::body;
   int body = -1;    ///< of the subsystem, if one carries it
@@ -73,12 +73,37 @@ struct LoopModel {
   /// Coordinates of a coupling, which has one row and no places: `from` is of the first one's body,
   /// with no force on it; empty: it is a loop.
   std::vector<CoupledCoordinate> coupled;
+  /// Index in System::shared_loops if the loop spans several subsystems; -1: it does not.
+  int shared = -1;
+  /// Whether it is but a share of such a loop, that of a subsystem whose loop it is not: `from` is
+  /// its place there, and `to` is elsewhere.
+  bool is_share = false;
 
+  bool is_shared() const { return shared >= 0; }
   bool is_coupling() const { return !coupled.empty(); }
   /// Returns "loop" or "coupling".
   const char* word() const { return is_coupling() ? "coupling" : "loop"; }
   /// Returns the opening of a row that counts as one radian; `length`: of the model [m].
   double unit_of(const LoopRow& row, double length) const;
+};
+
+/// A loop of a subsystem.
+struct LoopAt {
+  int subsystem = -1;
+  int loop = 0;
+};
+
+/// A loop between bodies of different subsystems. Each that it visits has a share of it among its
+/// loops; what closes it is found where all meet, at the base of the system (docs/formulation.md,
+/// section 12).
+struct SharedLoop {
+  LoopAt own;  ///< the loop itself, whose place `from` is of its subsystem
+  LoopAt end;  ///< the share of the subsystem of its place `to`, which it has as `from`
+  /// A share of the support, on the hub of a rotor from whose subsystems the loop comes.
+  struct OnHub : LoopAt {
+    int rotor = 0;
+  };
+  std::vector<OnHub> on_hubs;  ///< one for each of these rotors
 };
 
 /// The motion that the embedding program has set for an anchor, from a time on: value + rate s +

@@ -49,6 +49,7 @@ class SubsystemMaker {
     for (const spatial::TreeLoop& loop : tree_.loops) add_loop(loop);
     for (std::size_t k = 0; k < tree_.couplings.size(); ++k)
       made_.loops.push_back(make_coupling(tree_, k));
+    for (const spatial::LoopEnd& end : tree_.ends) add_share(end);
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j) add_joint(j);
     for (std::size_t j = 0; j < tree_.bodies.size(); ++j)
       made_.bodies[j].joint.slide = find_slide(j);
@@ -156,6 +157,8 @@ class SubsystemMaker {
       for (const spatial::TreePlace* place : {&loop.from, &loop.to})
         if (place->carrier == LoopPlace::Carrier::body)
           places[static_cast<std::size_t>(place->body)].push_back(place);
+    for (const spatial::LoopEnd& end : tree.ends)
+      places[static_cast<std::size_t>(end.place.body)].push_back(&end.place);
     return places;
   }
 
@@ -164,6 +167,7 @@ class SubsystemMaker {
     made.carrier = place.carrier;
     made.offset = pose_of(place.placement);
     if (place.carrier == LoopPlace::Carrier::anchor) made.anchor = static_cast<int>(place.anchor);
+    if (place.carrier == LoopPlace::Carrier::elsewhere) return made;
     if (place.carrier != LoopPlace::Carrier::body) {
       // Anchors have the axes of H as well; H is that of the drive.
       made.offset = {to_axis_ * made.offset.p, to_axis_ * made.offset.R};
@@ -189,6 +193,17 @@ class SubsystemMaker {
     made.key = tree_.key + ".loop." + std::to_string(made_.loops.size());
     made.from = make_place(loop.from);
     made.to = make_place(loop.to);
+  }
+
+  /// Adds the share of a loop of another tree.
+  void add_share(const spatial::LoopEnd& end) {
+    LoopModel& made = made_.loops.emplace_back(make_loop(end.loop, false));
+    made.name = end.owner + " / " + end.loop.name;
+    if (end.is_on_hub) made.name += " / " + body(static_cast<std::size_t>(end.place.body)).name;
+    made.owner = tree_.name;
+    made.is_share = true;
+    made.from = make_place(end.place);
+    made.to.carrier = LoopPlace::Carrier::elsewhere;
   }
 
   /// Returns the nodes or interfaces of a body's handles.

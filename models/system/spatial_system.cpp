@@ -267,6 +267,37 @@ void add_support(const spatial::Model& model, const std::vector<spatial::Tree>& 
   }
 }
 
+/// Finds the loops that span several subsystems, and their shares.
+void list_shared_loops(const std::vector<spatial::Tree>& trees, System<Space>& system) {
+  const auto at = [](std::size_t subsystem, std::size_t loop) {
+    return LoopAt{static_cast<int>(subsystem), static_cast<int>(loop)};
+  };
+  const auto mark = [&system](const LoopAt& share) {
+    system.subsystems[static_cast<std::size_t>(share.subsystem)]
+        .loops[static_cast<std::size_t>(share.loop)]
+        .shared = static_cast<int>(system.shared_loops.size()) - 1;
+  };
+  for (std::size_t i = 0; i < trees.size(); ++i)
+    for (std::size_t k = 0; k < trees[i].loops.size(); ++k) {
+      if (trees[i].loops[k].to.carrier != LoopPlace::Carrier::elsewhere) continue;
+      SharedLoop& shared = system.shared_loops.emplace_back();
+      mark(shared.own = at(i, k));
+      for (std::size_t j = 0; j < trees.size(); ++j) {
+        const spatial::Tree& tree = trees[j];
+        for (std::size_t e = 0; e < tree.ends.size(); ++e) {
+          if (tree.ends[e].tree != i || tree.ends[e].number != k) continue;
+          const LoopAt share = at(j, tree.loops.size() + tree.couplings.size() + e);
+          mark(share);
+          if (tree.ends[e].is_on_hub)
+            shared.on_hubs.push_back(
+                {share, tree.bodies[static_cast<std::size_t>(tree.ends[e].place.body)].rotor});
+          else
+            shared.end = share;
+        }
+      }
+    }
+}
+
 /// Places the aerodynamics of a blade on the bodies of its subsystem; where two bodies meet, a
 /// station is on the inner one. `alike`: the air on a blade of equal aerodynamics, or none.
 std::shared_ptr<const BladeAirModel> make_blade_air(const spatial::Blade& blade,
@@ -356,6 +387,7 @@ System<Space> make_system(const spatial::Model& model, const std::vector<spatial
       control_joints(*model.pitch_control, trees[i], system.subsystems.back());
   }
   if (model.support) add_support(model, trees, machine.from_base, bodies, system);
+  list_shared_loops(trees, system);
   for (const Anchor& anchor : model.anchors) {
     // What a support stands on has the axes of the description.
     const bool is_of_base = model.support && anchor.frame == Anchor::Frame::mount;

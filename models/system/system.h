@@ -92,6 +92,7 @@ struct System {
   std::vector<typename World::HubLoad> hub_loads;
   std::vector<Subsystem<World>> subsystems;
   std::vector<AnchorModel> anchors;
+  std::vector<SharedLoop> shared_loops;  ///< between subsystems
   /// Gravitational acceleration, inertial frame, at full size [m/s^2].
   PositionOf<World> gravity = PositionOf<World>::Zero();
   double gravity_ramp = 0.0;  ///< [s]

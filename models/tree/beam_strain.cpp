@@ -1,8 +1,10 @@
 #include "models/tree/beam_strain.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "models/tree/space_beam.h"
+#include "models/tree/tree.h"
 
 namespace spoke::spatial {
 namespace {
@@ -19,27 +21,46 @@ std::string name_or(const std::string& kind, const std::string& name) {
   return name.empty() ? "a " + kind : kind + ' ' + name;
 }
 
-/// Returns what a joint or a loop does to the bodies of a tree.
+/// Returns what a joint or a loop does to the bodies of a tree; `others`: loops that end on it.
 template <class TreeJoint>
-std::string find_cause(const std::vector<TreeJoint>& joints, const std::vector<Loop>& loops) {
+std::string find_cause(const std::vector<TreeJoint>& joints, const std::vector<Loop>& loops,
+                       const std::vector<LoopFromElsewhere>& others) {
   for (const TreeJoint& at : joints)
     if (count_coordinates(at.joint.kind) > 0) return name_or("joint", at.joint.name) + " moves it";
-  return loops.empty() ? "" : name_or("loop", loops.front().name) + " pulls at it";
+  if (loops.empty() && others.empty()) return "";
+  const Loop& loop = loops.empty() ? *others.front().loop : loops.front();
+  return name_or("loop", loop.name) + " pulls at it";
+}
+
+/// Return the loops of other trees that end on a blade or a subsystem of the model.
+std::vector<LoopFromElsewhere> loops_on(const Model& model, const Blade& blade) {
+  assert(&blade >= model.blades.data() && &blade < model.blades.data() + model.blades.size());
+  return find_loops_from_elsewhere(model, static_cast<std::size_t>(&blade - model.blades.data()));
+}
+std::vector<LoopFromElsewhere> loops_on(const Model& model, const Subsystem& subsystem) {
+  const Subsystem* const first = model.subsystems.data();
+  assert(&subsystem >= first && &subsystem < first + model.subsystems.size());
+  return find_loops_from_elsewhere(
+      model, model.blades.size() + static_cast<std::size_t>(&subsystem - first));
 }
 
 }  // namespace
 
 std::string find_unknown_tension(const Model& model, const Blade& blade) {
-  return is_turned(hub_of(model, blade.rotor)) ? find_cause(blade.joints, blade.loops) : kNoDrive;
+  return is_turned(hub_of(model, blade.rotor))
+             ? find_cause(blade.joints, blade.loops, loops_on(model, blade))
+             : kNoDrive;
 }
 
 std::string find_unknown_tension(const Model& model, const Subsystem& subsystem) {
   if (is_support(model, subsystem)) return "the hub does not turn it";
-  return is_turned(hub_of(model, subsystem.rotor)) ? find_cause(subsystem.joints, subsystem.loops)
-                                                   : kNoDrive;
+  return is_turned(hub_of(model, subsystem.rotor))
+             ? find_cause(subsystem.joints, subsystem.loops, loops_on(model, subsystem))
+             : kNoDrive;
 }
 
-std::string find_joint_or_loop(const Subsystem& subsystem, const std::string& body) {
+std::string find_joint_or_loop(const Model& model, const Subsystem& subsystem,
+                               const std::string& body) {
   std::vector<SubsystemJoint> inboard;
   const auto carrier_of = [&subsystem](const std::string& child) {
     return std::find_if(subsystem.joints.begin(), subsystem.joints.end(),
@@ -47,7 +68,7 @@ std::string find_joint_or_loop(const Subsystem& subsystem, const std::string& bo
   };
   for (auto at = carrier_of(body); at != subsystem.joints.end(); at = carrier_of(at->parent))
     inboard.push_back(*at);
-  return find_cause(inboard, subsystem.loops);
+  return find_cause(inboard, subsystem.loops, loops_on(model, subsystem));
 }
 
 bool has_axis_beside(const Beam& beam) {

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "models/space/reference_curve.h"
@@ -97,14 +98,19 @@ void add_beam(Tree& tree, const Beam& beam, const std::string& name, const BeamR
   }
 }
 
-/// Returns the stations at which loops are fixed to a beam; `body`: its name.
-std::vector<double> loop_stations(const std::vector<Loop>& loops, const std::string& body,
-                                  const Beam& beam) {
+/// Returns the stations at which loops are fixed to a beam, those that come from other trees among
+/// them; `body`: its name.
+std::vector<double> loop_stations(const std::vector<Loop>& loops,
+                                  const std::vector<LoopFromElsewhere>& others,
+                                  const std::string& body, const Beam& beam) {
   std::vector<double> stations;
+  const auto add = [&](const LoopPlace& place) {
+    if (place.name == body) stations.push_back(place.station.value_or(beam.length));
+  };
   for (const Loop& loop : loops)
     for (const LoopPlace* place : {&loop.from, &loop.to})
-      if (place->carrier == LoopPlace::Carrier::body && place->name == body)
-        stations.push_back(place->station.value_or(beam.length));
+      if (place->carrier == LoopPlace::Carrier::body) add(*place);
+  for (const LoopFromElsewhere& other : others) add(other.loop->to);
   return stations;
 }
 
@@ -119,6 +125,13 @@ class LoopBuilder {
   template <class FindBodies>
   void add(const Loop& loop, const FindBodies& find_bodies) {
     tree_.loops.push_back({loop, find(loop.from, find_bodies), find(loop.to, find_bodies)});
+  }
+  /// Adds the end of a loop of another tree.
+  template <class FindBodies>
+  void add_end(const LoopFromElsewhere& other, const FindBodies& find_bodies) {
+    LoopPlace place = other.loop->to;
+    place.carrier = LoopPlace::Carrier::body;
+    tree_.ends.push_back({other.tree, other.number, {}, *other.loop, find(place, find_bodies)});
   }
 
  private:
@@ -135,7 +148,7 @@ class LoopBuilder {
     }
     if (place.carrier == LoopPlace::Carrier::body)
       find_body(place, find_bodies(place.name), found);
-    else
+    else if (place.carrier != LoopPlace::Carrier::elsewhere)
       found.placement = Placement{Vector::Zero(), turn_} * found.placement;
     return found;
   }
@@ -175,13 +188,16 @@ Tree build_tree(const Blade& blade, const Model& model, std::size_t number) {
       rotor_placement(hub) * Placement{turned * (hub.radius * Vector::UnitX()), turned};
   Beam beam = blade.beam;
   beam.strain = choose_strain(beam, find_unknown_tension(model, blade));
-  add_beam(tree, beam, "", {{}, root, {}}, blade.joints, loop_stations(blade.loops, "", beam));
+  const std::vector<LoopFromElsewhere> others = find_loops_from_elsewhere(model, number - 1);
+  add_beam(tree, beam, "", {{}, root, {}}, blade.joints,
+           loop_stations(blade.loops, others, "", beam));
   if (tree.bodies.size() == 1) tree.bodies[0].name = "body 1";
   LoopBuilder builder(model.anchors, rotation_of(blade.azimuth * hub.axis.normalized()), tree);
-  for (const Loop& loop : blade.loops)
-    builder.add(loop, [&tree](const std::string&) {
-      return std::pair<std::size_t, std::size_t>(0, tree.bodies.size() - 1);
-    });
+  const auto all = [&tree](const std::string&) {
+    return std::pair<std::size_t, std::size_t>(0, tree.bodies.size() - 1);
+  };
+  for (const Loop& loop : blade.loops) builder.add(loop, all);
+  for (const LoopFromElsewhere& other : others) builder.add_end(other, all);
   tree.couplings = blade.couplings;
   return tree;
 }
@@ -215,18 +231,20 @@ void drive_joint(const Drive& drive, int rotor, double ratio, TreeBody& body) {
 /// Adds the bodies of a subsystem, each after its parent.
 class SubsystemBuilder {
  public:
-  SubsystemBuilder(const Subsystem& subsystem, const Model& model, const SolidParts& solids)
-      : subsystem_(subsystem),
+  /// `number`: of the tree.
+  SubsystemBuilder(std::size_t number, const Model& model, const SolidParts& solids)
+      : subsystem_(model.subsystems[number - model.blades.size()]),
         model_(model),
-        support_(is_support(model, subsystem) ? &*model.support : nullptr),
+        others_(find_loops_from_elsewhere(model, number)),
+        support_(is_support(model, subsystem_) ? &*model.support : nullptr),
         base_(support_ ? base_name(support_->from) : "hub"),
-        unknown_tension_(find_unknown_tension(model, subsystem)),
+        unknown_tension_(find_unknown_tension(model, subsystem_)),
         solids_(solids),
-        turn_(rotation_of(subsystem.azimuth * hub_of(model, subsystem.rotor).axis.normalized())) {
-    tree_.name = subsystem.name;
-    tree_.azimuth = subsystem.azimuth;
-    tree_.rotor = subsystem.rotor;
-    for (const SubsystemJoint& joint : subsystem.joints) children_.emplace(joint.parent, &joint);
+        turn_(rotation_of(subsystem_.azimuth * hub_of(model, subsystem_.rotor).axis.normalized())) {
+    tree_.name = subsystem_.name;
+    tree_.azimuth = subsystem_.azimuth;
+    tree_.rotor = subsystem_.rotor;
+    for (const SubsystemJoint& joint : subsystem_.joints) children_.emplace(joint.parent, &joint);
   }
 
   Tree build() && {
@@ -243,11 +261,12 @@ class SubsystemBuilder {
     if (support_)
       for (int r = 0; r < count_rotors(model_); ++r) add_hub(r);
     LoopBuilder builder(model_.anchors, turn_, tree_);
-    for (const Loop& loop : subsystem_.loops)
-      builder.add(loop, [this](const std::string& name) {
-        const Added& added = added_.at(name);
-        return std::pair(added.first, added.last);
-      });
+    const auto find = [this](const std::string& name) {
+      const Added& added = added_.at(name);
+      return std::pair(added.first, added.last);
+    };
+    for (const Loop& loop : subsystem_.loops) builder.add(loop, find);
+    for (const LoopFromElsewhere& other : others_) builder.add_end(other, find);
     tree_.couplings.insert(tree_.couplings.begin(), subsystem_.couplings.begin(),
                            subsystem_.couplings.end());
     return std::move(tree_);
@@ -298,7 +317,7 @@ class SubsystemBuilder {
       std::vector<double> places;
       for (const SubsystemJoint* further : children_of(child.name))
         places.push_back(further->station.value_or(beam->length));
-      for (const double station : loop_stations(subsystem_.loops, child.name, *beam))
+      for (const double station : loop_stations(subsystem_.loops, others_, child.name, *beam))
         places.push_back(station);
       for (int r = 0; support_ && r < count_rotors(model_); ++r)
         if (const Axle& axle = axle_of(model_, r); axle.body == child.name)
@@ -353,6 +372,7 @@ class SubsystemBuilder {
 
   const Subsystem& subsystem_;
   const Model& model_;
+  std::vector<LoopFromElsewhere> others_;
   const Support* support_;  ///< whose tree this is, or null
   std::string base_;        ///< name of what carries the tree
   std::string unknown_tension_;
@@ -373,18 +393,67 @@ Placement rotor_placement(const Hub& hub) {
   return {Vector::Zero(), space::smallest_rotation(Vector::UnitZ(), axis).axes};
 }
 
+namespace {
+
+/// Adds to a support the hubs through which loops come that span several trees.
+void add_ends_on_hubs(const Model& model, std::vector<Tree>& trees) {
+  Tree& support = trees.back();
+  for (std::size_t i = 0; i < trees.size(); ++i)
+    for (std::size_t k = 0; k < trees[i].loops.size(); ++k) {
+      const Loop& loop = trees[i].loops[k].loop;
+      if (loop.to.carrier != LoopPlace::Carrier::elsewhere) continue;
+      std::set<int> rotors;
+      for (const std::size_t end : {i, find_tree(model, loop.to)})
+        if (end + 1 < trees.size()) rotors.insert(trees[end].rotor);
+      for (const int rotor : rotors) {
+        TreePlace hub;
+        hub.body = static_cast<int>(find_hub(support, rotor));
+        support.ends.push_back({i, k, {}, loop, hub, true});
+      }
+    }
+}
+
+}  // namespace
+
+std::size_t find_tree(const Model& model, const LoopPlace& place) {
+  assert(place.carrier == LoopPlace::Carrier::elsewhere);
+  if (place.blade > 0) return static_cast<std::size_t>(place.blade) - 1;
+  const auto at =
+      std::find_if(model.subsystems.begin(), model.subsystems.end(),
+                   [&](const Subsystem& subsystem) { return subsystem.name == place.subsystem; });
+  assert(at != model.subsystems.end());
+  return model.blades.size() + static_cast<std::size_t>(at - model.subsystems.begin());
+}
+
+std::vector<LoopFromElsewhere> find_loops_from_elsewhere(const Model& model, std::size_t tree) {
+  std::vector<LoopFromElsewhere> found;
+  const auto add = [&](std::size_t own, const std::vector<Loop>& loops) {
+    for (std::size_t k = 0; k < loops.size(); ++k)
+      if (loops[k].to.carrier == LoopPlace::Carrier::elsewhere &&
+          find_tree(model, loops[k].to) == tree)
+        found.push_back({own, k, &loops[k]});
+  };
+  for (std::size_t i = 0; i < model.blades.size(); ++i) add(i, model.blades[i].loops);
+  for (std::size_t i = 0; i < model.subsystems.size(); ++i)
+    add(model.blades.size() + i, model.subsystems[i].loops);
+  return found;
+}
+
 std::vector<Tree> build_trees(const Model& model) {
   std::vector<Tree> trees;
   for (std::size_t i = 0; i < model.blades.size(); ++i)
     trees.push_back(build_tree(model.blades[i], model, i + 1));
   const SolidParts solids(model);
-  for (const Subsystem& subsystem : model.subsystems)
-    trees.push_back(SubsystemBuilder(subsystem, model, solids).build());
+  while (trees.size() < model.blades.size() + model.subsystems.size())
+    trees.push_back(SubsystemBuilder(trees.size(), model, solids).build());
   for (std::size_t i = 0; i < trees.size(); ++i) {
     const bool is_blade = i < model.blades.size();
     trees[i].key = is_blade ? "blades." + std::to_string(i + 1)
                             : key_of_subsystem(model, i - model.blades.size());
   }
+  if (model.support) add_ends_on_hubs(model, trees);
+  for (Tree& tree : trees)
+    for (LoopEnd& end : tree.ends) end.owner = trees[end.tree].name;
   return trees;
 }
 

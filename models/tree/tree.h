@@ -52,7 +52,7 @@ struct TreeBody {
 /// A place of a loop in its tree.
 struct TreePlace {
   LoopPlace::Carrier carrier = LoopPlace::Carrier::body;
-  int body = -1;           ///< index of the body that carries it, if one does
+  int body = -1;           ///< index of the body of the tree that carries it, if one does
   std::size_t node = 0;    ///< its node, or interface of a solid
   std::size_t anchor = 0;  ///< index of the anchor that carries it, if one does
   /// The place's frame in that of its body, its node or its interface, of the hub, the mount or the
@@ -66,6 +66,17 @@ struct TreeLoop {
   TreePlace from{}, to{};
 };
 
+/// The end on a tree of a loop that is another tree's; on a support also the hub through which a
+/// loop comes that ends on a tree of that rotor.
+struct LoopEnd {
+  std::size_t tree = 0;    ///< whose loop it is
+  std::size_t number = 0;  ///< of its loops
+  std::string owner{};     ///< name of that tree
+  Loop loop{};             ///< as it is described
+  TreePlace place{};
+  bool is_on_hub = false;  ///< whether it is such a hub
+};
+
 /// Bodies on the hub, or of a support on its base; parents stand before their children.
 struct Tree {
   std::string name{};  ///< "blade 1", or the name of the subsystem
@@ -76,8 +87,21 @@ struct Tree {
   std::vector<Beam> beams{};       ///< beams whose parts are the flexible bodies
   std::vector<TreeBody> bodies{};  ///< one or more
   std::vector<TreeLoop> loops{};   ///< closures between bodies, and of bodies on what carries them
+  std::vector<LoopEnd> ends{};     ///< where loops of other trees end
   std::vector<Coupling> couplings{};  ///< of joints of the bodies, by their names
 };
+
+/// Returns the index among the trees of a model of the blade or subsystem that a place elsewhere
+/// says. Precondition: there is one.
+std::size_t find_tree(const Model& model, const LoopPlace& place);
+
+/// A loop that ends on a tree that is not its own, by its number among those of its tree.
+struct LoopFromElsewhere {
+  std::size_t tree = 0, number = 0;
+  const Loop* loop = nullptr;
+};
+/// Returns those that end on a tree, in the order of trees and loops.
+std::vector<LoopFromElsewhere> find_loops_from_elsewhere(const Model& model, std::size_t tree);
 
 /// Returns the number of coordinates of a tree: those of its joints, free or prescribed, of its
 /// beams' nodes and of its solids.

@@ -24,6 +24,9 @@ std::string describe(const LoopPlace& place, const std::string& own) {
   if (place.carrier == LoopPlace::Carrier::hub) return "the hub";
   if (place.carrier == LoopPlace::Carrier::mount) return "the mount";
   std::string name = place.name.empty() ? own : place.name;
+  if (place.carrier == LoopPlace::Carrier::elsewhere)
+    name = place.subsystem.empty() ? "blade " + std::to_string(place.blade)
+                                   : place.subsystem + " / " + place.name;
   if (place.carrier == LoopPlace::Carrier::anchor || !place.station) return name;
   return fmt::format("{} at {:.6g} m", name, *place.station);
 }

@@ -450,7 +450,8 @@ def friction(*, force=None, speed=None, static=None, stribeck=None):
     return _given(locals())
 
 
-def place(*, body=None, anchor=None, station=None, point=None, orientation=None, interface=None):
+def place(*, body=None, anchor=None, station=None, point=None, orientation=None, blade=None,
+          subsystem=None, interface=None):
     """A place of a closed loop.
 
     body: "hub" or "mount"; without it, the place is on the blade; or: name of a body of the
@@ -466,6 +467,10 @@ def place(*, body=None, anchor=None, station=None, point=None, orientation=None,
         mesh, which turn with it [m]
     orientation: of the place's frame against what carries it [rad]; or: rotation vector, in these
         axes [rad]
+    blade: of to: the place is on another blade, by its number from 1; "next": on the one that
+        follows on this rotor, behind the last the first
+    subsystem: of to: the place is on a body of another subsystem, by its name, or of the "support";
+        "next": of the next one of a count
     interface: of a solid, in place of station: name of one of its interfaces
     """
     return _given(locals())

@@ -54,6 +54,10 @@ HubEquation<World> sum_hub_equation(const System<World>& system,
     rotary(sum.mass) -= effective.stiffening.inertia;
     angular(sum.force) += calc_stiffening_moment(effective.stiffening, angular(data.hub.twist));
   }
+  if (!data.shared_loops.rows.is_empty()) {
+    sum.mass += data.shared_loops.mass;
+    sum.force += data.shared_loops.force;
+  }
   return sum;
 }
 

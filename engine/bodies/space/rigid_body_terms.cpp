@@ -23,9 +23,9 @@ TwistMatrix calc_between(const Position& a, const SymmetricTwistMatrix& A, const
 
 RigidPort::RigidPort(const RigidBody& body) : mass(calc_mass(body)), handles{Position::Zero()} {
   assert(body.is_hub || (body.mass > 0.0 && body.inertia.diagonal().minCoeff() > 0.0));
-  if (body.is_hub) return;  // with what it carries, see CarriedInertia
-  inverse = invert(mass);
   handles.insert(handles.end(), body.outboard.begin(), body.outboard.end());
+  if (body.is_hub) return;  // the rest with what it carries, see CarriedInertia
+  inverse = invert(mass);
   for (std::size_t b = 0; b < handles.size(); ++b) {
     diagonal.push_back(refer(-handles[b], inverse));
     for (std::size_t a = 0; a < b; ++a)
@@ -42,9 +42,12 @@ Twist calc_gyroscopic_force(const SymmetricTwistMatrix& mass, const Twist& twist
 
 void condense(const CarriedInertia& hub, const Twist& Q,
               const tree::MultiPort<Space>& port) noexcept {
-  assert(port.handles == 1);
-  port.diagonal[0] = hub.inverse;
-  port.free[0] = hub.inverse * Q;
+  const Twist free = hub.inverse * Q;
+  for (int h = 0; h < port.handles; ++h) {
+    port.diagonal[h] = hub.inverse;
+    port.free[h] = free;
+    for (int a = 0; a < h; ++a) port.between(a, h) = hub.inverse.matrix();
+  }
 }
 
 void condense(const RigidPort& body, const Twist& twist, const Twist& Q,

@@ -38,7 +38,7 @@ void condense(const RigidPort& body, const Twist& twist, const Twist& Q,
 void place_mass(const RigidPort& body, const Twist& twist, const Twist& Q,
                 const tree::MultiPort<Space>& port) noexcept;
 
-/// Sets the multi-port of a hub on a support, which has one handle, at its origin.
+/// Sets the multi-port of a hub on a support, whose handles are all at its origin.
 void condense(const CarriedInertia& hub, const Twist& Q,
               const tree::MultiPort<Space>& port) noexcept;
 

@@ -31,9 +31,12 @@ struct LoopRowState {
   double opening;       ///< [m, rad]
   double rate;          ///< [m/s, rad/s]
   double given_rate;    ///< what prescribed motion of `to` makes of the rate [m/s, rad/s]
-  double target;        ///< the relative acceleration to be found [m/s^2, rad/s^2]
-  double compliance;    ///< of a spring in an implicit pass; 0: rigid [m/(N s^2), rad/(N m s^2)]
-  double force;         ///< of a spring in an explicit pass, which is given; else 0 [N, N m]
+  /// The relative acceleration to be found; of a share of another subsystem's loop that comes
+  /// through a hub, what happens without the forces of loops between that hub and it, with the
+  /// other sign [m/s^2, rad/s^2].
+  double target;
+  double compliance;  ///< of a spring in an implicit pass; 0: rigid [m/(N s^2), rad/(N m s^2)]
+  double force;       ///< of a spring in an explicit pass, which is given; else 0 [N, N m]
   /// Of the first row of a bearing with matrices in an implicit pass: the compliance that it shares
   /// with the next row; else 0.
   double shared_compliance;
@@ -45,6 +48,13 @@ enum class LoopRowUse : char {
   solved,   ///< its force is an unknown
   sprung,   ///< likewise in implicit passes; in explicit ones its force is given
   dropped,  ///< redundant: no force
+};
+
+/// Where the force of a row is found.
+enum class LoopRowLevel : char {
+  here,   ///< by the subsystem alone
+  base,   ///< where all subsystems meet: the loop ends on another one
+  share,  ///< likewise, for the share of a loop that is another subsystem's
 };
 
 /// A joint of the tree that the forces of a loop load: that of body `child`, at a handle of its
@@ -109,12 +119,14 @@ struct LoopData {
   int rows = 0;
   std::vector<LoopPath> paths;          ///< by loop
   std::vector<LoopRowUse> use;          ///< by row
+  std::vector<LoopRowLevel> level;      ///< by row
+  int closed = 0;                       ///< number of rows that are solved here
   int last_body = -1;                   ///< the last body that carries a loop
   std::vector<int> coupled;             ///< bodies whose joints are in couplings
   std::vector<int> bearings;            ///< first rows of bearings with matrices
   std::vector<std::vector<int>> meets;  ///< by loop: itself and those before that share a body
   /// The order in which rows are eliminated: by place in it the row, and by row the place. Rows of
-  /// one loop follow one another.
+  /// one loop follow one another; those come last that are not solved here, and stay.
   std::vector<int> row_at, place_of;
 
   // "loop motion"
@@ -144,6 +156,7 @@ struct LoopData {
   ArenaVector<double> kept_multipliers;  ///< by row
 
   bool is_empty() const { return rows == 0; }
+  bool is_closed(std::size_t row) const { return level[row] == LoopRowLevel::here; }
   /// Acceleration of the inboard handle of a body of a path, for a row of its loop.
   TwistOf<World>& branch(const LoopPath& path, int at, int of_loop) {
     assert(at >= 0 && std::cmp_less(at, path.bodies.size()) && of_loop >= 0);
@@ -163,6 +176,25 @@ struct LoopData {
     const int p = place_of[static_cast<std::size_t>(r)], q = place_of[static_cast<std::size_t>(c)];
     return matrix.entry(std::max(p, q), std::min(p, q));
   }
+
+  /// Element of D, or of what the elimination of the rows before has left of it, by rows.
+  double value(int r, int c) const {
+    const int p = place_of[static_cast<std::size_t>(r)], q = place_of[static_cast<std::size_t>(c)];
+    return matrix.value(std::max(p, q), std::min(p, q));
+  }
+};
+
+/// The rows of the loops between subsystems, where these meet at the hub of the system: with D, N
+/// and free of what subsystems have handed up. Of LoopData there are no paths, but the rows of each
+/// loop, in the order of System::shared_loops.
+template <class World>
+struct SharedLoopData {
+  LoopData<World> rows;
+  /// What they add to effective mass and force of all subsystems.
+  TwistMatrixOf<World> mass = TwistMatrixOf<World>::Zero();
+  TwistOf<World> force = TwistOf<World>::Zero();
+  std::vector<int> subsystems;  ///< on that hub, with rows that are handed up
+  std::vector<int> visited;     ///< all that have places of these loops, or of hubs on the way
 };
 
 }  // namespace spoke

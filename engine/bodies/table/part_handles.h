@@ -80,6 +80,7 @@ struct SystemParts {
   graph::PartId progress, hub_state, hub_solution;  ///< if coupled
   graph::PartId flight_acceleration;                ///< if coupled
   graph::PartId augmented_solution;
+  graph::PartId shared_loops, first_pivots;  ///< of loops between subsystems, if there are some
 };
 
 }  // namespace spoke

@@ -249,6 +249,7 @@ class StepData final : public StepTable {
   /// Acceleration that the applied forces give the mass centre of a hub that flies, hub frame
   /// [m/s^2].
   PositionOf<World> flight_acceleration = PositionOf<World>::Zero();
+  SharedLoopData<World> shared_loops;                 ///< loops between subsystems
   std::vector<std::unique_ptr<Actor<World>>> actors;  ///< what acts on the bodies
   /// What subsystems and bodies are called; set before the table is allocated.
   std::shared_ptr<const graph::NodeNames> names =

@@ -59,7 +59,7 @@ bool is_sprung(const Loop& loop) {
 }
 
 int find_group(const Scene& scene, LoopPlace::Carrier carrier, int anchor) {
-  assert(carrier != LoopPlace::Carrier::body);
+  assert(carrier != LoopPlace::Carrier::body && carrier != LoopPlace::Carrier::elsewhere);
   if (carrier == LoopPlace::Carrier::hub) return 0;
   const int wanted = carrier == LoopPlace::Carrier::mount ? -1 : anchor;
   for (const Carrier& carried : scene.carriers)

@@ -117,7 +117,21 @@ class SubsystemScene {
       add_joint(j);
     }
     scene_.tips[static_cast<std::size_t>(number_)] = find_tip();
-    for (const spatial::TreeLoop& loop : tree_.loops) add_loop(loop);
+    for (const spatial::TreeLoop& loop : tree_.loops)
+      if (loop.loop.to.carrier != LoopPlace::Carrier::elsewhere)
+        add_loop(loop, find_end(loop.from), find_end(loop.to));
+  }
+
+  /// Adds the loops that end on this one, of the subsystems that are `made`.
+  void add_loops_from(std::vector<SubsystemScene>& made) {
+    for (const spatial::LoopEnd& end : tree_.ends) {
+      if (end.is_on_hub) continue;
+      const auto of = std::find_if(made.begin(), made.end(), [&end](const SubsystemScene& other) {
+        return std::cmp_equal(other.number_, end.tree);
+      });
+      const spatial::TreeLoop& loop = of->tree_.loops[end.number];
+      of->add_loop(loop, of->find_end(loop.from), find_end(end.place));
+    }
   }
 
   /// Returns the place on a solid where a load acts on this subsystem; none if it acts on no solid
@@ -352,13 +366,12 @@ class SubsystemScene {
     return {at, axes};
   }
 
-  void add_loop(const spatial::TreeLoop& loop) {
+  void add_loop(const spatial::TreeLoop& loop, const LoopEnd& from, const LoopEnd& to) {
     LoopMark mark;
     mark.name = tree_.name + " / " + loop.loop.name;
     mark.kind = spoke::name_of(loop.loop.kind);
     mark.subsystem = number_;
-    mark.from = find_end(loop.from).at;
-    const LoopEnd to = find_end(loop.to);
+    mark.from = from.at;
     mark.to = to.at;
     for (int i = 0; i < count_axes(loop.loop.kind); ++i)
       mark.axes.emplace_back(to.axes * loop.loop.axes[static_cast<std::size_t>(i)].normalized());
@@ -513,6 +526,7 @@ Scene make_spatial_scene(const spatial::Model& model, std::size_t most_nodes,
       add(i);
     }
   }
+  for (SubsystemScene& end : made) end.add_loops_from(made);
   if (model.support && model.support->from == spatial::SupportBase::free)
     add_fuselage(model.support->fuselage, trees.back(), scene);
   for (int r = 0; r < count_rotors(model); ++r)

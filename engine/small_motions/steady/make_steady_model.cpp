@@ -193,6 +193,21 @@ void require_hub_anchors(const spatial::Model& model) {
           "from its support, and this anchor is on both; runs have it");
 }
 
+/// Refuses loops between subsystems, which a steady model takes one by one.
+void require_own_loops(const spatial::Model& model) {
+  const auto require = [](const std::vector<Loop>& loops, const std::string& key) {
+    for (std::size_t k = 0; k < loops.size(); ++k)
+      if (loops[k].to.carrier == LoopPlace::Carrier::elsewhere)
+        throw InputError(key + ".loop." + std::to_string(k + 1) +
+                         ".to: is on another blade or subsystem, expected a place on its own: a "
+                         "steady state takes them one by one; runs have it");
+  };
+  for (std::size_t i = 0; i < model.blades.size(); ++i)
+    require(model.blades[i].loops, "blades." + std::to_string(i + 1));
+  for (std::size_t i = 0; i < model.subsystems.size(); ++i)
+    require(model.subsystems[i].loops, key_of_subsystem(model, i));
+}
+
 /// Refuses couplings on the axle: their coordinates are of the rotor and of its support.
 void require_free_axles(const spatial::Model& model) {
   if (!model.support) return;
@@ -213,6 +228,7 @@ std::unique_ptr<SteadyModel> make_spatial(const Scenario& scenario, const Wind* 
   require_one_rotor(model);
   require_hub_anchors(model);
   require_free_axles(model);
+  require_own_loops(model);
   if (model.support) return make_supported(scenario, at_places, options);
   const std::vector<spatial::Tree> trees = build_trees(model);
   System<Space> system = make_system(model, trees, {{}, available_memory()});

@@ -66,8 +66,7 @@ void put_bearings(const System<World>& system, std::size_t i, std::vector<Closur
   for (std::size_t k = 0; k < subsystem.loops.size(); ++k) {
     const LoopModel& loop = subsystem.loops[k];
     if (!loop.bearing) continue;
-    const PlaceMotion from = calc_place_motion(system, i, loop.from, 0.0, data);
-    const PlaceMotion to = calc_place_motion(system, i, loop.to, 0.0, data);
+    const auto [from, to] = calc_place_motions(system, i, loop, 0.0, data);
     const Eigen::Matrix2d K =
         loop.bearing->at(calc_bearing_speed(*loop.bearing, from, to)).stiffness;
     ClosureRow* row = &rows[static_cast<std::size_t>(data.subsystems[i].loops.paths[k].first_row)];

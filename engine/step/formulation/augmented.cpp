@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <span>
 #include <utility>
 
 #include "engine/bodies/kernels/dense_body.h"
@@ -111,6 +112,7 @@ void add_loops(const Subsystem<World>& model, const SubsystemData<World>& subsys
       const int row = work.first_loop[i] + r;
       work.right[row] = -state.target;
       work.matrix(row, row) = -state.compliance;
+      if (model.loops[k].is_shared()) continue;
       if (model.loops[k].is_coupling()) {
         subtract_coordinates(model.loops[k], subsystem, i, row, work);
         continue;
@@ -120,6 +122,25 @@ void add_loops(const Subsystem<World>& model, const SubsystemData<World>& subsys
       if (model.loops[k].to.carrier == LoopPlace::Carrier::body)
         subtract_place(model.loops[k].to, state.to, subsystem, i, row, work);
     }
+}
+
+/// Fills the rows of a loop between subsystems: those of the loop itself.
+template <class World>
+void add_shared_loop(const System<World>& system, const StepData<World>& data,
+                     const SharedLoop& loop, Work& work) {
+  const auto own = static_cast<std::size_t>(loop.own.subsystem);
+  for (const LoopAt& at : {loop.own, loop.end}) {
+    const auto i = static_cast<std::size_t>(at.subsystem), k = static_cast<std::size_t>(at.loop);
+    const LoopData<World>& loops = data.subsystems[i].loops;
+    const int rows = loops.paths[k].rows;
+    const int first =
+        work.first_loop[own] +
+        data.subsystems[own].loops.paths[static_cast<std::size_t>(loop.own.loop)].first_row;
+    for (int r = 0; r < rows; ++r)
+      subtract_place(system.subsystems[i].loops[k].from,
+                     loops.states[static_cast<std::size_t>(loops.paths[k].first_row + r)].from,
+                     data.subsystems[i], at.subsystem, first + r, work);
+  }
 }
 
 /// Fills in the compliances that the rows of bearings share.
@@ -137,11 +158,13 @@ template <class World>
 void give_forces(const SubsystemData<World>& subsystem, int i, Work& work) {
   const LoopData<World>& loops = subsystem.loops;
   for (std::size_t r = 0; r < loops.use.size(); ++r) {
-    if (is_solved(loops.use[r], subsystem.progress->control.is_implicit)) continue;
+    const bool is_share = loops.level[r] == LoopRowLevel::share;
+    if (!is_share && is_solved(loops.use[r], subsystem.progress->control.is_implicit)) continue;
     const Eigen::Index row = work.first_loop[i] + static_cast<Eigen::Index>(r);
     work.matrix.row(row).setZero();
     work.matrix(row, row) = 1.0;
-    work.right[row] = loops.use[r] == LoopRowUse::dropped ? 0.0 : loops.states[r].force;
+    const bool is_given = !is_share && loops.use[r] != LoopRowUse::dropped;
+    work.right[row] = is_given ? loops.states[r].force : 0.0;
   }
 }
 
@@ -167,6 +190,23 @@ void add_hub(const System<World>& system, const StepData<World>& data, Work& wor
       work.matrix(row, c) = 1.0;
       work.right[row++] = given[c];
     }
+}
+
+/// Lets the shares of a loop between subsystems have its forces.
+template <class World>
+void share_rows(const SharedLoop& loop, const StepData<World>& data, Work& work) {
+  const auto rows_of = [&](const LoopAt& at) {
+    const auto i = static_cast<std::size_t>(at.subsystem);
+    const LoopPath& path = data.subsystems[i].loops.paths[static_cast<std::size_t>(at.loop)];
+    return std::span(work.loop_rows[i])
+        .subspan(static_cast<std::size_t>(path.first_row), static_cast<std::size_t>(path.rows));
+  };
+  const auto own = rows_of(loop.own);
+  const auto share = [&](const LoopAt& at) {
+    std::copy(own.begin(), own.end(), rows_of(at).begin());
+  };
+  share(loop.end);
+  for (const LoopAt& at : loop.on_hubs) share(at);
 }
 
 void copy_lower_to_upper(Work& work) {
@@ -202,10 +242,12 @@ void allocate(const System<World>& system, std::vector<std::vector<subsystem::De
   int largest = 0;
   for (const SubsystemData<World>& subsystem : data.subsystems) {
     work.first_loop.push_back(next);
-    next += subsystem.loops.rows;
+    std::vector<int>& rows = work.loop_rows.emplace_back();
+    while (std::cmp_less(rows.size(), subsystem.loops.rows)) rows.push_back(next++);
     for (const BodyData<World>& body : subsystem.bodies)
       largest = std::max(largest, dense_size(*body.model->body));
   }
+  for (const SharedLoop& loop : system.shared_loops) share_rows(loop, data, work);
   work.jacobian.setZero(d, largest);
   for (const Subsystem<World>& subsystem : system.subsystems) {
     if (subsystem.rotor < 0) {
@@ -247,6 +289,7 @@ void solve(const System<World>& system, StepData<World>& data, Work& work) noexc
     add_loops(system.subsystems[i], subsystem, static_cast<int>(i), work);
     add_shared_compliances(subsystem, static_cast<int>(i), work);
   }
+  for (const SharedLoop& loop : system.shared_loops) add_shared_loop(system, data, loop, work);
   copy_lower_to_upper(work);
   for (std::size_t i = 0; i < data.subsystems.size(); ++i)
     give_forces(data.subsystems[i], static_cast<int>(i), work);
@@ -301,7 +344,8 @@ template <class World>
 void take_loop_forces(int i, const Work& work, SubsystemData<World>& data) noexcept {
   assert(i >= 0 && std::cmp_less(i, work.first_loop.size()));
   for (int r = 0; r < data.loops.rows; ++r)
-    data.loops.multipliers[static_cast<std::size_t>(r)] = work.solution[work.first_loop[i] + r];
+    data.loops.multipliers[static_cast<std::size_t>(r)] =
+        work.solution[work.loop_rows[i][static_cast<std::size_t>(r)]];
 }
 
 template <class World>

@@ -25,7 +25,10 @@ struct Work {
   std::vector<std::vector<int>> first_joint;  ///< first row of each joint's multipliers
   std::vector<int> hub;         ///< by subsystem: first row of the hub that carries it
   std::vector<int> first_loop;  ///< by subsystem: first row of its loops' multipliers
-  Eigen::MatrixXd jacobian;     ///< of one handle, d x the largest body
+  /// By subsystem and row of its loops, the row that has the multiplier: of a share that of the
+  /// loop.
+  std::vector<std::vector<int>> loop_rows;
+  Eigen::MatrixXd jacobian;  ///< of one handle, d x the largest body
   int first_hub_multiplier = 0;
   Eigen::MatrixXd matrix;
   LuFactors factor;

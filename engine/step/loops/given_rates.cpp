@@ -60,8 +60,9 @@ void add_driven(const SystemContext<World>& context, std::size_t subsystem, doub
       for (std::size_t c = 0; c < driven.size(); ++c)
         if ((c == 0 && course.control >= 0) || (course.drive && turns(*course.drive, duration)) ||
             moves(driven[c], duration, hub_turns))
-          given.add(kinematics.calc_driven_column(static_cast<int>(j), static_cast<int>(c)),
-                    "the driven joint of body " + std::to_string(j + 1));
+          given.add(
+              kinematics.calc_driven_column(subsystem, static_cast<int>(j), static_cast<int>(c)),
+              "the driven joint of body " + std::to_string(j + 1));
     });
   }
 }
@@ -98,15 +99,14 @@ void GivenRates::add(const Eigen::VectorXd& column, const std::string& name) {
 }
 
 template <class World>
-GivenRates find_given_rates(SystemContext<World>& context, std::size_t subsystem, double duration,
+GivenRates find_given_rates(SystemContext<World>& context, const LoopGroup& group, double duration,
                             LoopKinematics<World>& kinematics) {
-  assert(subsystem < context.system.subsystems.size());
   GivenRates given;
   given.columns.resize(std::ssize(kinematics.rigid_rows()), 0);
-  add_driven(context, subsystem, duration, kinematics, given);
+  for (const std::size_t i : group) add_driven(context, i, duration, kinematics, given);
   if (turns(context.system.hub.drive, duration))
     given.add(kinematics.calc_hub_column(), "the rotation of the hub");
-  add_places(context, subsystem, duration, kinematics, given);
+  for (const std::size_t i : group) add_places(context, i, duration, kinematics, given);
   return given;
 }
 
@@ -133,11 +133,11 @@ bool may_be_moved(const System<World>& system, const Subsystem<World>& subsystem
   return false;
 }
 
-template GivenRates find_given_rates(SystemContext<Plane>&, std::size_t, double,
+template GivenRates find_given_rates(SystemContext<Plane>&, const LoopGroup&, double,
                                      LoopKinematics<Plane>&);
 template bool is_at_rest(const System<Plane>&, double);
 template bool may_be_moved(const System<Plane>&, const Subsystem<Plane>&);
-template GivenRates find_given_rates(SystemContext<Space>&, std::size_t, double,
+template GivenRates find_given_rates(SystemContext<Space>&, const LoopGroup&, double,
                                      LoopKinematics<Space>&);
 template bool is_at_rest(const System<Space>&, double);
 template bool may_be_moved(const System<Space>&, const Subsystem<Space>&);

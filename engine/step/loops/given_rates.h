@@ -1,6 +1,6 @@
 #pragma once
 
-// What is prescribed and makes rates of a subsystem's closed loops: driven joints, the hub's
+// What is prescribed and makes rates of closed loops: driven joints, the hub's
 // rotation, anchors and the mount.
 
 #include <Eigen/Core>
@@ -22,7 +22,7 @@ struct GivenRates {
 
 /// Finds what moves within the run, of `duration` [s].
 template <class World>
-GivenRates find_given_rates(SystemContext<World>& context, std::size_t subsystem, double duration,
+GivenRates find_given_rates(SystemContext<World>& context, const LoopGroup& group, double duration,
                             LoopKinematics<World>& kinematics);
 
 /// Whether hub and mount are held at rest during the run.

@@ -9,13 +9,14 @@
 #include "engine/bodies/kernels/kinematics.h"
 #include "engine/bodies/kernels/loops/loop_motion.h"
 #include "engine/bodies/kernels/samples.h"
+#include "engine/bodies/kernels/space/supported_rotor.h"
 #include "engine/step/integrator/rotation.h"
 
 namespace spoke {
 namespace {
 
-void list_joint(const TreeBody<Plane>&, int, double, std::vector<LoopCoordinate>&) {}
-void list_joint(const TreeBody<Space>& body, int j, double length,
+void list_joint(const TreeBody<Plane>&, std::size_t, int, double, std::vector<LoopCoordinate>&) {}
+void list_joint(const TreeBody<Space>& body, std::size_t subsystem, int j, double length,
                 std::vector<LoopCoordinate>& list) {
   int at = 0;
   for (const space::JointPrimitive& primitive : body.joint.joint.sequence()) {
@@ -24,7 +25,7 @@ void list_joint(const TreeBody<Space>& body, int j, double length,
     const bool is_spherical = primitive.kind == space::JointPrimitive::Kind::spherical;
     const int first = at;
     for (int c = 0; c < primitive.components(); ++c)
-      list.push_back({j, true, at++, slides ? length : 1.0, is_spherical ? first : -1,
+      list.push_back({subsystem, j, true, at++, slides ? length : 1.0, is_spherical ? first : -1,
                       !body.joint.course.held.empty()});
   }
 }
@@ -52,59 +53,105 @@ double* driven_rate(BodyData<Space>& body, int c) { return &body.joint.driven[c]
 }  // namespace
 
 template <class World>
-LoopKinematics<World>::LoopKinematics(SystemContext<World>& context, std::size_t subsystem)
-    : context_(context),
-      index_(subsystem),
-      subsystem_(context.system.subsystems[subsystem]),
-      data_(context.data.subsystems[subsystem]) {
+std::vector<LoopGroup> find_loop_groups(const System<World>& system) {
+  const std::size_t count = system.subsystems.size();
+  std::vector<std::size_t> group(count);  // by subsystem the least index of its group
+  for (std::size_t i = 0; i < count; ++i) group[i] = i;
+  const auto join = [&](std::size_t a, std::size_t b) {
+    const auto [least, other] = std::minmax(group[a], group[b]);
+    const std::size_t from = other, to = least;
+    std::replace(group.begin(), group.end(), from, to);
+  };
+  for (const SharedLoop& loop : system.shared_loops) {
+    const auto own = static_cast<std::size_t>(loop.own.subsystem);
+    join(own, static_cast<std::size_t>(loop.end.subsystem));
+    for (const LoopAt& at : loop.on_hubs) join(own, static_cast<std::size_t>(at.subsystem));
+  }
+  std::vector<LoopGroup> groups;
+  for (std::size_t first = 0; first < count; ++first) {
+    LoopGroup members;
+    for (std::size_t i = first; i < count; ++i)
+      if (group[i] == first && !system.subsystems[i].loops.empty()) members.push_back(i);
+    std::stable_sort(members.begin(), members.end(), [&system](std::size_t a, std::size_t b) {
+      return calc_level(system, static_cast<int>(a)) < calc_level(system, static_cast<int>(b));
+    });
+    if (!members.empty()) groups.push_back(members);
+  }
+  return groups;
+}
+
+template <class World>
+LoopKinematics<World>::LoopKinematics(SystemContext<World>& context, const LoopGroup& group)
+    : context_(context), group_(group) {
   context.data.hub = calc_hub_state(context.data);
-  if (!context.data.is_coupled) data_.prescribed = calc_prescribed_motion(context.system, 0.0);
-  prescribe_joints(context.system, 0.0, subsystem, context.data);
+  for (const std::size_t i : group) {
+    if (!context.data.is_coupled) data(i).prescribed = calc_prescribed_motion(context.system, 0.0);
+    prescribe_joints(context.system, 0.0, i, context.data);
+  }
   list_coordinates();
-  int row = 0;
+  list_rows();
+}
+
+template <class World>
+void LoopKinematics<World>::list_rows() {
   std::vector<double> scales;
-  for (const LoopModel& loop : subsystem_.loops)
-    for (const LoopRow& constants : loop.rows) {
-      if (constants.is_rigid()) {
-        rigid_rows_.push_back(row);
-        scales.push_back(1.0 / loop.unit_of(constants, context.data.length));
+  for (const std::size_t i : group_) {
+    int row = 0;
+    for (const LoopModel& loop : subsystem(i).loops)
+      for (const LoopRow& constants : loop.rows) {
+        if (constants.is_rigid() && !loop.is_share) {
+          rigid_rows_.push_back({i, row});
+          scales.push_back(1.0 / loop.unit_of(constants, context_.data.length));
+        }
+        ++row;
       }
-      ++row;
-    }
+  }
   row_scale_ = Eigen::Map<const Eigen::VectorXd>(scales.data(), std::ssize(scales));
 }
 
 template <class World>
 void LoopKinematics<World>::list_coordinates() {
-  for_loop_bodies(subsystem_, data_.loops, [this](std::size_t j) {
-    list_joint(subsystem_.bodies[j], static_cast<int>(j), context_.data.length, coordinates_);
-  });
+  for (const std::size_t i : group_)
+    for_loop_bodies(subsystem(i), data(i).loops, [&](std::size_t j) {
+      list_joint(subsystem(i).bodies[j], i, static_cast<int>(j), context_.data.length,
+                 coordinates_);
+    });
   joint_count_ = static_cast<int>(coordinates_.size());
-  for_loop_bodies(subsystem_, data_.loops, [this](std::size_t j) {
-    for (int k = 0; k < subsystem_.bodies[j].body->coordinates(); ++k)
-      coordinates_.push_back(
-          {static_cast<int>(j), false, static_cast<int>(data_.bodies[j].layout.offset(k))});
-  });
+  for (const std::size_t i : group_)
+    for_loop_bodies(subsystem(i), data(i).loops, [&](std::size_t j) {
+      for (int k = 0; k < subsystem(i).bodies[j].body->coordinates(); ++k)
+        coordinates_.push_back(
+            {i, static_cast<int>(j), false, static_cast<int>(data(i).bodies[j].layout.offset(k))});
+    });
 }
 
 template <class World>
 double* LoopKinematics<World>::speed_of(const LoopCoordinate& coordinate) {
-  BodyData<World>& body = data_.bodies[static_cast<std::size_t>(coordinate.body)];
+  BodyData<World>& body =
+      data(coordinate.subsystem).bodies[static_cast<std::size_t>(coordinate.body)];
   return (coordinate.is_joint ? joint_block(body)->v : body.coordinates.v) + coordinate.at;
 }
 
 template <class World>
 void LoopKinematics<World>::evaluate() {
-  update_kinematics(subsystem_, data_);
-  calc_loop_motion(context_.system, index_, data_.progress->control.time, {}, context_.data);
+  const double t = data(group_.front()).progress->control.time;
+  for (const std::size_t i : group_) {
+    update_kinematics(subsystem(i), data(i));
+    calc_loop_motion(context_.system, i, t, {}, context_.data);
+    if (group_.size() == 1) return;
+    for (const int rotor : find_rotors_on(context_.system, static_cast<int>(i)))
+      place_rotor(context_.system, static_cast<std::size_t>(rotor), t, false, context_.data);
+  }
+  calc_shared_motion(context_.system, {}, context_.data);
 }
 
 template <class World>
 Eigen::VectorXd LoopKinematics<World>::by_row(double LoopRowState<World>::*value) const {
   Eigen::VectorXd values(row_scale_.size());
   for (Eigen::Index r = 0; r < values.size(); ++r) {
-    const auto row = static_cast<std::size_t>(rigid_rows_[static_cast<std::size_t>(r)]);
-    values[r] = row_scale_[r] * (data_.loops.states[row].*value);
+    const SubsystemRow& at = rigid_rows_[static_cast<std::size_t>(r)];
+    values[r] =
+        row_scale_[r] * (data(at.subsystem).loops.states[static_cast<std::size_t>(at.row)].*value);
   }
   return values;
 }
@@ -153,18 +200,19 @@ Eigen::MatrixXd LoopKinematics<World>::calc_free_jacobian(int count) {
 template <class World>
 std::vector<std::string> LoopKinematics<World>::held_joints() const {
   std::vector<std::string> names;
-  for_loop_bodies(subsystem_, data_.loops, [&](std::size_t j) {
-    if (const std::string& name = held_name(subsystem_.bodies[j]); !name.empty())
-      names.push_back(name);
-  });
+  for (const std::size_t i : group_)
+    for_loop_bodies(subsystem(i), data(i).loops, [&](std::size_t j) {
+      if (const std::string& name = held_name(subsystem(i).bodies[j]); !name.empty())
+        names.push_back(name);
+    });
   return names;
 }
 
 template <class World>
-Eigen::VectorXd LoopKinematics<World>::calc_driven_column(int body, int c) {
+Eigen::VectorXd LoopKinematics<World>::calc_driven_column(std::size_t subsystem, int body, int c) {
   evaluate();
   const Eigen::VectorXd before = rates();
-  double& speed = *driven_rate(data_.bodies[static_cast<std::size_t>(body)], c);
+  double& speed = *driven_rate(data(subsystem).bodies[static_cast<std::size_t>(body)], c);
   const double kept = speed;
   speed += 1.0;
   evaluate();
@@ -175,15 +223,19 @@ Eigen::VectorXd LoopKinematics<World>::calc_driven_column(int body, int c) {
 }
 
 template <class World>
+void LoopKinematics<World>::turn_hub(double by) {
+  context_.data.hub.twist[World::kAxial] += by;
+  for (const std::size_t i : group_) data(i).prescribed.state.twist[World::kAxial] += by;
+}
+
+template <class World>
 Eigen::VectorXd LoopKinematics<World>::calc_hub_column() {
   evaluate();
   const Eigen::VectorXd before = rates();
-  for (HubState<World>* hub : {&context_.data.hub, &data_.prescribed.state})
-    hub->twist[World::kAxial] += 1.0;
+  turn_hub(1.0);
   evaluate();
   Eigen::VectorXd column = rates() - before;
-  for (HubState<World>* hub : {&context_.data.hub, &data_.prescribed.state})
-    hub->twist[World::kAxial] -= 1.0;
+  turn_hub(-1.0);
   evaluate();
   return column;
 }
@@ -193,10 +245,12 @@ void LoopKinematics<World>::move(const Eigen::VectorXd& by) {
   assert(by.size() <= joint_count_);
   for (Eigen::Index c = 0; c < by.size(); ++c) {
     const LoopCoordinate& coordinate = coordinates_[static_cast<std::size_t>(c)];
-    joint_block(data_.bodies[static_cast<std::size_t>(coordinate.body)])->q[coordinate.at] +=
-        coordinate.scale * by[c];
+    BodyData<World>& body =
+        data(coordinate.subsystem).bodies[static_cast<std::size_t>(coordinate.body)];
+    joint_block(body)->q[coordinate.at] += coordinate.scale * by[c];
   }
-  for (BodyData<World>& body : data_.bodies) fold_joint(body);
+  for (const std::size_t i : group_)
+    for (BodyData<World>& body : data(i).bodies) fold_joint(body);
 }
 
 template <class World>
@@ -208,6 +262,8 @@ void LoopKinematics<World>::add_speeds(const Eigen::VectorXd& by) {
   }
 }
 
+template std::vector<LoopGroup> find_loop_groups(const System<Plane>&);
+template std::vector<LoopGroup> find_loop_groups(const System<Space>&);
 template class LoopKinematics<Plane>;
 template class LoopKinematics<Space>;
 

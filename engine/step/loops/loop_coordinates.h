@@ -1,6 +1,6 @@
 #pragma once
 
-// The coordinates that the loops of a subsystem depend on, and the Jacobian of their rows by them,
+// The coordinates that the loops of subsystems depend on, and the Jacobian of their rows by them,
 // as the start of a run needs them: found by unit speeds.
 
 #include <Eigen/Core>
@@ -13,6 +13,7 @@ namespace spoke {
 
 /// A coordinate of a joint or of a deformation, of a body that carries a loop.
 struct LoopCoordinate {
+  std::size_t subsystem = 0;
   int body = 0;
   bool is_joint = false;
   int at = 0;            ///< its place in the block of coordinates
@@ -21,18 +22,31 @@ struct LoopCoordinate {
   bool is_held = false;  ///< stays as it is given
 };
 
-/// The loops of one subsystem while their start is found. Lengths are by the model's.
+/// Subsystems whose loops are to be closed together, by index: one, or those that loops between
+/// them tie. What carries a rotor stands before the subsystems of that.
+using LoopGroup = std::vector<std::size_t>;
+/// Returns all groups of subsystems with loops, each by its least index.
+template <class World>
+std::vector<LoopGroup> find_loop_groups(const System<World>& system);
+
+/// A row of the loops of a subsystem.
+struct SubsystemRow {
+  std::size_t subsystem = 0;
+  int row = 0;
+};
+
+/// The loops of a group while their start is found. Lengths are by the model's.
 template <class World>
 class LoopKinematics {
  public:
   /// Puts the hub where it is at t = 0, and prescribed motions as well.
-  LoopKinematics(SystemContext<World>& context, std::size_t subsystem);
+  LoopKinematics(SystemContext<World>& context, const LoopGroup& group);
 
   const std::vector<LoopCoordinate>& coordinates() const { return coordinates_; }
   /// Returns how many of them, the first ones, are of joints.
   int joint_count() const { return joint_count_; }
-  /// Returns the rows that are rigid, of all loops of the subsystem.
-  const std::vector<int>& rigid_rows() const { return rigid_rows_; }
+  /// Returns the rows that are rigid, of all loops of the group.
+  const std::vector<SubsystemRow>& rigid_rows() const { return rigid_rows_; }
 
   /// Evaluates the rows at the present state.
   void evaluate();
@@ -46,7 +60,7 @@ class LoopKinematics {
   /// Returns the names of the joints that are held, each once.
   std::vector<std::string> held_joints() const;
   /// Returns d(rates)/d(speed) of the driven component `c` of the joint of a body.
-  Eigen::VectorXd calc_driven_column(int body, int c);
+  Eigen::VectorXd calc_driven_column(std::size_t subsystem, int body, int c);
   /// Returns d(rates)/d(speed) of the hub about its axle.
   Eigen::VectorXd calc_hub_column();
 
@@ -57,15 +71,18 @@ class LoopKinematics {
  private:
   double* speed_of(const LoopCoordinate& coordinate);
   void list_coordinates();
+  void list_rows();
+  void turn_hub(double by);
   Eigen::VectorXd by_row(double LoopRowState<World>::*value) const;
 
+  const Subsystem<World>& subsystem(std::size_t i) const { return context_.system.subsystems[i]; }
+  SubsystemData<World>& data(std::size_t i) const { return context_.data.subsystems[i]; }
+
   SystemContext<World>& context_;
-  std::size_t index_;
-  const Subsystem<World>& subsystem_;
-  SubsystemData<World>& data_;
+  const LoopGroup& group_;
   std::vector<LoopCoordinate> coordinates_;
   int joint_count_ = 0;
-  std::vector<int> rigid_rows_;
+  std::vector<SubsystemRow> rigid_rows_;
   Eigen::VectorXd row_scale_;  ///< of rigid rows
 };
 

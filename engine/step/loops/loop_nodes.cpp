@@ -3,7 +3,7 @@
 #include "engine/step/loops/loop_nodes.h"
 
 #include "engine/bodies/kernels/loops/loop_motion.h"
-#include "engine/step/formulation/loops/loops.h"
+#include "engine/step/formulation/loops/shared_loops.h"
 
 namespace spoke {
 namespace {
@@ -69,18 +69,33 @@ void add_loop_motion(const Assembly<World>& g, int i) {
 }
 
 template <class World>
+void add_shared_loop_motion(const Assembly<World>& g) {
+  SystemContext<World>& c = g.c;
+  if (c.system.shared_loops.empty()) return;
+  const auto [inputs, outputs] = parts_of_shared_motion(c.data);
+  g.builder.add_node(g.label(stages::kSharedLoopMotion), reads(g.parts().progress, inputs),
+                     updates(outputs), unless_halted(c.data.progress[0], [&c]() noexcept {
+                       const PassControl& control = c.data.progress[0].control;
+                       calc_shared_motion(c.system, gains_of(c.integrator.method, control), c.data);
+                     }));
+}
+
+template <class World>
 void add_loop_factor(const Assembly<World>& g, int i) {
   const SubsystemParts& own = g.subsystem(i);
   if (own.loops.is_empty()) return;
   const Subsystem<World>& subsystem = g.c.system.subsystems[i];
   SubsystemData<World>& data = g.c.data.subsystems[i];
   for (std::size_t k = 0; k < subsystem.loops.size(); ++k) add_columns(g, i, k);
+  const auto index = static_cast<std::size_t>(i);
+  const PartList handed_up = parts_of_handed_up(g.c.system, index, g.c.data);
   const auto add_node = [&](const PartList& inputs, auto fill) {
-    g.builder.add_node(g.label(stages::kLoopFactor, i), reads(own.progress, inputs),
+    g.builder.add_node(g.label(stages::kLoopFactor, i), reads(own.progress, inputs, handed_up),
                        updates(own.loops.first_pivots),  // they stay but at the start
                        writes(own.loops.factor, own.effective),
-                       unless_halted(*data.progress, [fill, &data]() noexcept {
+                       unless_halted(*data.progress, [fill, index, &c = g.c, &data]() noexcept {
                          fill();
+                         add_handed_up(c.system, index, c.data);
                          factorise_loops(data);
                        }));
   };
@@ -135,9 +150,11 @@ void add_loop_forces(const Assembly<World>& g, int i) {
 }
 
 template void add_loop_motion(const Assembly<Plane>&, int);
+template void add_shared_loop_motion(const Assembly<Plane>&);
 template void add_loop_factor(const Assembly<Plane>&, int);
 template void add_loop_forces(const Assembly<Plane>&, int);
 template void add_loop_motion(const Assembly<Space>&, int);
+template void add_shared_loop_motion(const Assembly<Space>&);
 template void add_loop_factor(const Assembly<Space>&, int);
 template void add_loop_forces(const Assembly<Space>&, int);
 

@@ -10,6 +10,10 @@ namespace spoke {
 template <class World>
 void add_loop_motion(const Assembly<World>& g, int i);
 
+/// Adds the node of the motion of loops between subsystems, behind that of all subsystems' loops.
+template <class World>
+void add_shared_loop_motion(const Assembly<World>& g);
+
 /// Adds the nodes between the effective inertia of a subsystem's tree and the hub: one for each
 /// loop, then one for all.
 template <class World>

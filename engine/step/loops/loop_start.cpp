@@ -9,6 +9,7 @@
 #include <string>
 
 #include "engine/bodies/kernels/loops/loop_motion.h"
+#include "engine/step/formulation/loops/shared_loops.h"
 #include "engine/step/loops/given_rates.h"
 #include "engine/step/loops/loop_coordinates.h"
 #include "engine/step/loops/loop_rank.h"
@@ -65,18 +66,13 @@ LoopRowPlace place_of(const SubsystemData<World>& data, std::size_t subsystem, i
   return {static_cast<int>(subsystem), static_cast<int>(k), row - paths[k].first_row};
 }
 
-/// The start of the loops of one subsystem.
+/// The start of the loops of a group of subsystems.
 template <class World>
 class LoopStarter {
  public:
   /// `holds`: whether joints that are to be held stay as they are.
-  LoopStarter(SystemContext<World>& context, std::size_t subsystem, bool holds)
-      : context_(context),
-        index_(subsystem),
-        holds_(holds),
-        subsystem_(context.system.subsystems[subsystem]),
-        data_(context.data.subsystems[subsystem]),
-        kinematics_(context, subsystem) {}
+  LoopStarter(SystemContext<World>& context, const LoopGroup& group, bool holds)
+      : context_(context), group_(group), holds_(holds), kinematics_(context, group) {}
 
   void measure_at_start();
   void close();
@@ -86,9 +82,17 @@ class LoopStarter {
   bool is_driven() const { return is_driven_; }
 
  private:
+  /// Sets them of a loop of one subsystem.
+  void measure_at_start(std::size_t subsystem, LoopModel& loop);
+  /// Returns where a rigid row of the group is.
+  LoopRowPlace place_of_row(Eigen::Index row) const {
+    const SubsystemRow& at = kinematics_.rigid_rows()[static_cast<std::size_t>(row)];
+    return place_of(context_.data.subsystems[at.subsystem], at.subsystem, at.row);
+  }
   const LoopModel& loop_of(Eigen::Index row) const {
-    const int of_all = kinematics_.rigid_rows()[static_cast<std::size_t>(row)];
-    return subsystem_.loops[static_cast<std::size_t>(place_of(data_, index_, of_all).loop)];
+    const LoopRowPlace place = place_of_row(row);
+    return context_.system.subsystems[static_cast<std::size_t>(place.subsystem)]
+        .loops[static_cast<std::size_t>(place.loop)];
   }
 
   void require_closed(const Eigen::VectorXd& openings);
@@ -100,10 +104,8 @@ class LoopStarter {
   std::string list_held() const;
 
   SystemContext<World>& context_;
-  std::size_t index_;
+  const LoopGroup& group_;
   bool holds_;
-  Subsystem<World>& subsystem_;
-  SubsystemData<World>& data_;
   LoopKinematics<World> kinematics_;
   bool is_driven_ = false;
 };
@@ -112,18 +114,21 @@ class LoopStarter {
 template <class World>
 void LoopStarter<World>::measure_at_start() {
   kinematics_.evaluate();
-  for (LoopModel& loop : subsystem_.loops) {
-    if (loop.is_coupling()) continue;
-    const auto motion = [&](const LoopPlaceModel& place) {
-      return calc_place_motion(context_.system, index_, place, 0.0, context_.data);
-    };
-    const PlaceMotion from = motion(loop.from), to = motion(loop.to);
-    if (loop.turns_to_start) loop.from.offset.R = loop.from.offset.R * (from.R.inverse() * to.R);
-    const double distance = (from.p - to.p).norm();
-    if (loop.measures_at_start) loop.rows[0].rest = distance;
-    if (loop.kind == LoopKind::distance && distance < 1e-9 * context_.data.length)
-      throw fail(loop, "its places coincide at the start, expected a distance between them");
-  }
+  for (const std::size_t i : group_)
+    for (LoopModel& loop : context_.system.subsystems[i].loops) {
+      if (loop.is_coupling() || loop.is_share) continue;
+      measure_at_start(i, loop);
+    }
+}
+
+template <class World>
+void LoopStarter<World>::measure_at_start(std::size_t subsystem, LoopModel& loop) {
+  const auto [from, to] = calc_place_motions(context_.system, subsystem, loop, 0.0, context_.data);
+  if (loop.turns_to_start) loop.from.offset.R = loop.from.offset.R * (from.R.inverse() * to.R);
+  const double distance = (from.p - to.p).norm();
+  if (loop.measures_at_start) loop.rows[0].rest = distance;
+  if (loop.kind == LoopKind::distance && distance < 1e-9 * context_.data.length)
+    throw fail(loop, "its places coincide at the start, expected a distance between them");
 }
 
 template <class World>
@@ -170,8 +175,7 @@ void LoopStarter<World>::require_closed(const Eigen::VectorXd& openings) {
   if (largest_of(openings) <= kClosed) return;
   Eigen::Index row = 0;
   openings.cwiseAbs().maxCoeff(&row);
-  const LoopRowPlace place =
-      place_of(data_, index_, kinematics_.rigid_rows()[static_cast<std::size_t>(row)]);
+  const LoopRowPlace place = place_of_row(row);
   const bool is_length = loop_of(row).rows[static_cast<std::size_t>(place.row)].is_length();
   const double opening = std::abs(openings[row]) * (is_length ? context_.data.length : 1.0);
   const std::string best = number(opening) + (is_length ? " m" : " rad") + " at best, expected ";
@@ -248,41 +252,53 @@ LoopFreedoms count_freedoms(const Subsystem<World>& subsystem) {
 template <class World>
 void LoopStarter<World>::find_rank(double redundancy, double duration) {
   const int count = static_cast<int>(kinematics_.coordinates().size());
-  const GivenRates given = find_given_rates(context_, index_, duration, kinematics_);
+  const GivenRates given = find_given_rates(context_, group_, duration, kinematics_);
   const RowRank rank =
       find_redundant_rows(kinematics_.calc_jacobian(count), given.columns, redundancy);
-  LoopFreedoms& freedoms = context_.loop_start.freedoms[index_];
-  const std::vector<int>& rows = kinematics_.rigid_rows();
-  freedoms.rows = static_cast<int>(rows.size());
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    const auto row = static_cast<std::size_t>(rows[r]);
+  for (std::size_t r = 0; r < rank.is_redundant.size(); ++r) {
+    const SubsystemRow& at = kinematics_.rigid_rows()[r];
+    LoopFreedoms& freedoms = context_.loop_start.freedoms[at.subsystem];
+    ++freedoms.rows;
     freedoms.independent += !rank.is_redundant[r];
-    data_.loops.use[row] = rank.is_redundant[r] ? LoopRowUse::dropped : LoopRowUse::solved;
+    context_.data.subsystems[at.subsystem].loops.use[static_cast<std::size_t>(at.row)] =
+        rank.is_redundant[r] ? LoopRowUse::dropped : LoopRowUse::solved;
     if (rank.is_redundant[r])
-      context_.loop_start.dropped.push_back(place_of(data_, index_, rows[r]));
+      context_.loop_start.dropped.push_back(place_of_row(static_cast<Eigen::Index>(r)));
   }
   require_no_fight(rank, given);
   is_driven_ = (given.columns.size() > 0 && given.columns.cwiseAbs().maxCoeff() > 0.0) ||
-               may_be_moved(context_.system, subsystem_);
+               std::any_of(group_.begin(), group_.end(), [this](std::size_t i) {
+                 return may_be_moved(context_.system, context_.system.subsystems[i]);
+               });
 }
 
 /// Throws if nothing of the model can move.
 template <class World>
-void require_freedom(const SystemContext<World>& context) {
-  const LoopFreedoms* locked = nullptr;
+void require_freedom(const SystemContext<World>& context, const std::vector<LoopGroup>& groups) {
+  const std::vector<LoopFreedoms>& freedoms = context.loop_start.freedoms;
+  std::vector<bool> is_tied(freedoms.size(), false);
+  LoopFreedoms locked;
   std::size_t which = 0;
-  for (std::size_t i = 0; i < context.loop_start.freedoms.size(); ++i) {
-    const LoopFreedoms& freedoms = context.loop_start.freedoms[i];
-    if (freedoms.mobility() > 0) return;
-    if (freedoms.rows == 0) continue;
-    locked = &freedoms;
-    which = i;
+  for (const LoopGroup& group : groups) {
+    LoopFreedoms sum;
+    for (const std::size_t i : group) {
+      is_tied[i] = true;
+      sum.joints += freedoms[i].joints;
+      sum.deformations += freedoms[i].deformations;
+      sum.rows += freedoms[i].rows;
+      sum.independent += freedoms[i].independent;
+      if (freedoms[i].rows > 0) which = i;
+    }
+    if (sum.mobility() > 0) return;
+    if (sum.rows > 0) locked = sum;
   }
-  if (!locked || !is_at_rest(context.system, context.loop_limits.duration)) return;
+  for (std::size_t i = 0; i < freedoms.size(); ++i)
+    if (!is_tied[i] && freedoms[i].mobility() > 0) return;
+  if (locked.rows == 0 || !is_at_rest(context.system, context.loop_limits.duration)) return;
   throw fail(
       context.system.subsystems[which].loops.back(),
-      "the mechanism has no freedom: " + std::to_string(locked->joints + locked->deformations) +
-          " free coordinates, " + std::to_string(locked->independent) +
+      "the mechanism has no freedom: " + std::to_string(locked.joints + locked.deformations) +
+          " free coordinates, " + std::to_string(locked.independent) +
           " independent rows of loops, and nothing prescribed moves");
 }
 
@@ -365,33 +381,38 @@ LoopLimits make_loop_limits(const Integration& integration) {
 template <class World>
 void start_loops(SystemContext<World>& context) {
   context.loop_start = {};
-  bool has_loops = false, is_driven = false;
+  bool is_driven = false;
   for (const Subsystem<World>& subsystem : context.system.subsystems)
     context.loop_start.freedoms.push_back(count_freedoms(subsystem));
   if (context.loop_limits.has_started) return;
-  for (std::size_t i = 0; i < context.system.subsystems.size(); ++i) {
-    SubsystemData<World>& data = context.data.subsystems[i];
-    if (data.loops.is_empty()) continue;
-    has_loops = true;
-    const std::vector<double> before = take_joints(data);
-    const Orientations turned = take_orientations(data);
-    LoopStarter<World> starter(context, i, true);
+  const std::vector<LoopGroup> groups = find_loop_groups(context.system);
+  for (const LoopGroup& group : groups) {
+    std::vector<std::vector<double>> before;
+    std::vector<Orientations> turned;
+    for (const std::size_t i : group) {
+      before.push_back(take_joints(context.data.subsystems[i]));
+      turned.push_back(take_orientations(context.data.subsystems[i]));
+    }
+    LoopStarter<World> starter(context, group, true);
     starter.measure_at_start();
     starter.close();
-    add_moves(i, before, turned, data, context.loop_start.moves);
+    for (std::size_t k = 0; k < group.size(); ++k)
+      add_moves(group[k], before[k], turned[k], context.data.subsystems[group[k]],
+                context.loop_start.moves);
     starter.find_rank(context.loop_limits.redundancy, context.loop_limits.duration);
     is_driven = is_driven || starter.is_driven();
     starter.close_rates();
-    add_speeds(i, data, context.loop_start.speeds);
+    for (const std::size_t i : group)
+      add_speeds(i, context.data.subsystems[i], context.loop_start.speeds);
   }
-  if (has_loops && !is_driven) require_freedom(context);
+  take_uses_of_shared_loops(context.system, context.data);
+  if (!groups.empty() && !is_driven) require_freedom(context, groups);
 }
 
 template <class World>
 void close_loops(SystemContext<World>& context) {
-  for (std::size_t i = 0; i < context.system.subsystems.size(); ++i) {
-    if (context.data.subsystems[i].loops.is_empty()) continue;
-    LoopStarter<World> starter(context, i, false);
+  for (const LoopGroup& group : find_loop_groups(context.system)) {
+    LoopStarter<World> starter(context, group, false);
     starter.close();
     starter.close_rates();
   }

@@ -92,6 +92,15 @@ inline constexpr std::array kSpacePlaceRows{
         .from("required, unless there is an `anchor`; on a blade, the blade")
         .within("of `from`, a body"),
     by_hand("anchor", kText, "name of an anchor, in place of `body`").from("none"),
+    by_hand("blade", kWhole | kWord,
+            "of `to`: the place is on another blade, by its number from 1; `\"next\"`: on the one "
+            "that follows on this rotor, behind the last the first")
+        .from("none")
+        .among("next"),
+    by_hand("subsystem", kText,
+            "of `to`: the place is on a `body` of another subsystem, by its name, or of the "
+            "`\"support\"`; `\"next\"`: of the next one of a `count`")
+        .from("none"),
     by_hand("station", kNumber, kStation,
             "on a beam, anywhere: it makes a node there. Where a joint of a blade is, the place is "
             "on the part outboard")

@@ -10,6 +10,7 @@
 #include "models/reader/loop_faults.h"
 #include "models/reader/spatial/coupling_faults.h"
 #include "models/reader/spatial/fault.h"
+#include "models/reader/spatial/loop_ends.h"
 #include "models/reader/spatial/solid_faults.h"
 #include "models/solid/kept_geometry.h"
 #include "spoke/error.h"
@@ -120,6 +121,7 @@ void check_model(const Model& model) {
   std::set<std::string> names;
   for (std::size_t i = 0; i < model.subsystems.size(); ++i)
     require(find_tree_fault(model.subsystems[i], model, names).within(key_of_subsystem(model, i)));
+  require(find_loop_end_fault(model));
   if (model.blades.empty() && model.subsystems.empty() && !moves_alone(model.hub))
     require({"blades", "there are none, and no subsystem; expected one or more"});
   require({"blades", find_size_fault(model)});

@@ -16,6 +16,7 @@
 #include "models/reader/spatial/body_reader.h"
 #include "models/reader/spatial/control_reader.h"
 #include "models/reader/spatial/fault.h"
+#include "models/reader/spatial/loop_ends.h"
 #include "models/reader/spatial/solid_reader.h"
 #include "models/reader/spatial/support_reader.h"
 #include "models/reader/spatial/vector_reader.h"
@@ -148,6 +149,18 @@ void add_load(const TomlSection& root, const TomlSection& section, const Model& 
   }
 }
 
+/// Throws the error of a loop that ends elsewhere.
+[[noreturn]] void fail_at_end(const TomlSection& root, const std::vector<TomlSection>& rotors,
+                              const Fault& fault) {
+  // Blades that one table describes have its keys; those of several rotors are numbered through.
+  const bool is_of_blade = fault.path.starts_with("blades.");
+  const std::size_t behind = fault.path.find('.', sizeof("blades.") - 1);
+  if (is_of_blade && !rotors.empty()) rotors.front().fail("", fault.path + ' ' + fault.text);
+  if (is_of_blade && root.has("blade"))
+    root.fail_at("blade" + fault.path.substr(behind), fault.text);
+  root.fail_at(fault.path, fault.text);
+}
+
 void read_point_loads(const TomlSection& root, Model& model) {
   for (const TomlSection& section : root.sections(
            "load", keys::keys_of(keys::kLoadPlaceRows, keys::kSpacePointLoadRows,
@@ -220,7 +233,9 @@ Model read_model(const TomlSection& root, const std::string& folder) {
   for (std::size_t r = 0; r < rotors.size(); ++r)
     for (Blade& blade : read_blades(rotors[r], static_cast<int>(r), model))
       model.blades.push_back(std::move(blade));
+  resolve_next_blades(model);
   read_trees(root, rotors, folder, model);
+  if (const Fault fault = find_loop_end_fault(model)) fail_at_end(root, rotors, fault);
   if (model.blades.empty() && model.subsystems.empty() && !moves_alone(model.hub))
     root.fail("blade", "is missing, expected [blade], [[blades]] or [[subsystem]]");
   const std::string size_fault = find_size_fault(model);

@@ -106,8 +106,12 @@ std::vector<Subsystem> copy(const TomlSection& section, const Subsystem& subsyst
   if (!section.has("count")) return {subsystem};
   const int count = section.integer("count", kCopies);
   std::vector<Subsystem> copies(static_cast<std::size_t>(count), subsystem);
+  const std::string name = subsystem.name;
   for (int i = 0; i < count; ++i) {
     Subsystem& made = copies[static_cast<std::size_t>(i)];
+    for (Loop& loop : made.loops)
+      if (loop.to.subsystem == "next")
+        loop.to.subsystem = name + std::to_string((i + 1) % count + 1);
     made.name += std::to_string(i + 1);
     made.azimuth += 2.0 * std::numbers::pi * i / count;
     if (const Fault fault = find_name_fault(made.name)) section.fail_at(fault.path, fault.text);

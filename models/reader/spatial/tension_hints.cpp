@@ -31,7 +31,7 @@ void look(const spatial::Model& model, const spatial::Subsystem& subsystem,
     const auto* solid = std::get_if<spatial::SolidBody>(&body.shape);
     if (!solid || !solid->geometric_stiffening || solid->frame != spatial::SolidFrame::clamped)
       continue;
-    if (const std::string cause = find_joint_or_loop(subsystem, body.name); !cause.empty())
+    if (const std::string cause = find_joint_or_loop(model, subsystem, body.name); !cause.empty())
       hints.push_back("the solid " + of +
                       " knows the tension that rotation of the hub, gravity and loads put on the "
                       "undeformed bodies, but " +

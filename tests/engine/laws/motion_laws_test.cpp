@@ -62,6 +62,7 @@ const std::map<std::string_view, std::string_view> kMoving{
     {"articulated_rotor", "blades pitch by their azimuth"},
     {"ground_resonance", "a push on the hub"},
     {"helicopter_on_gear", "blades pitch by their azimuth"},
+    {"helicopter_on_gear, blades tied", "blades pitch by their azimuth"},
     {"nrel_5mw_in_wind", "gravity and wind turn against the blades"},
     {"nrel_5mw_rotor", "gravity turns against the blades"},
     {"nrel_5mw_turbine", "gravity turns against the blades"},

@@ -26,6 +26,7 @@ namespace {
 const std::map<std::string_view, std::string_view> kWithoutModes{
     {"andrews_squeezer", "its motor leaves it no rest"},
     {"epicyclic_gear", "nothing in it is sprung: its root is zero"},
+    {"helicopter_on_gear, blades tied", "a steady state takes subsystems one by one"},
     {"heavy_top", "nothing holds it: all roots are zero"},
     {"quadcopter", "no frame turns with all of its rotors"},
     {"solid_blade_rotor, nodal", "dense matrices of 9072 coordinates take 20 s; it holds"},

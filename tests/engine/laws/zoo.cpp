@@ -70,6 +70,32 @@ void put_in_wind(Scenario& scenario) {
     }
 }
 
+/// Ties each blade to the next one by a damper and a spring, and the first one across the axle to
+/// what the rotor stands on.
+void tie_blades(Scenario& scenario) {
+  std::vector<spatial::Blade>& blades = scenario.space->blades;
+  for (std::size_t i = 0; i < blades.size(); ++i) {
+    Loop damper;
+    damper.name = "damper";
+    damper.kind = LoopKind::distance;
+    damper.from = {.station = 0.7, .point = {0.0, 0.2, 0.0}};
+    damper.to = {
+        .carrier = LoopPlace::Carrier::elsewhere, .station = 0.7, .point = {0.0, -0.2, 0.0}};
+    damper.to.blade = static_cast<int>((i + 1) % blades.size()) + 1;
+    damper.stiffness = {2000.0};
+    damper.damping = {300.0};
+    blades[i].loops = {damper};
+  }
+  Loop spring;
+  spring.name = "spring";
+  spring.from.station = 1.5;
+  spring.to = {.carrier = LoopPlace::Carrier::elsewhere, .name = "cabin", .point = {0.0, 0.0, 1.5}};
+  spring.to.subsystem = "support";
+  spring.stiffness = {20.0, 20.0, 20.0};
+  spring.damping = {5.0, 5.0, 5.0};
+  blades[0].loops.push_back(spring);
+}
+
 }  // namespace
 
 Scenario ZooModel::read(int steps) const {
@@ -87,6 +113,7 @@ std::vector<ZooModel> list_zoo() {
        [](Scenario& s) {
          for (Blade& blade : s.rotor.blades) blade.strain = BeamStrain::nonlinear;
        }},
+      {"helicopter_on_gear, blades tied", "helicopter_on_gear", tie_blades},
       {"nrel_5mw_turbine, with a drive train", "nrel_5mw_turbine",
        [](Scenario& s) {
          s.space->hub.inertia = 115926.0 * spatial::Tensor::Identity();

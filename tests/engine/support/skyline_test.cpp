@@ -82,7 +82,7 @@ TEST_CASE("a skyline is factorised as a dense matrix is, and solves") {
     Skyline skyline(first, arena);
     fill(matrix, skyline);
     std::vector<double> pivots(first.size());
-    skyline.factorise(pivots);
+    skyline.factorise(pivots, rows);
     const MatrixXd L = matrix.llt().matrixL();
     for (int r = 0; r < rows; ++r) {
       CHECK(pivots[static_cast<std::size_t>(r)] == doctest::Approx(L(r, r) * L(r, r)));
@@ -95,11 +95,40 @@ TEST_CASE("a skyline is factorised as a dense matrix is, and solves") {
     }
     const VectorXd right = VectorXd::LinSpaced(rows, 1.0, 2.0);
     std::vector<double> x(right.begin(), right.end());
-    skyline.solve_lower(x);
-    skyline.solve_upper(x);
+    skyline.solve_lower(x, rows);
+    skyline.solve_upper(x, rows);
     const VectorXd found = Eigen::Map<const VectorXd>(x.data(), rows);
     CHECK((matrix * found - right).norm() < 1e-13 * right.norm() * rows);
   }
+}
+
+TEST_CASE("the rows behind the first ones keep their Schur complement") {
+  std::mt19937 random(6);
+  constexpr int kRows = 12, kFirst = 8, kLast = kRows - kFirst;
+  Arena arena;
+  const std::vector<int> first = make_first(kRows, random);
+  const MatrixXd matrix = make_matrix(first, random);
+  Skyline skyline(first, arena);
+  fill(matrix, skyline);
+  std::vector<double> pivots(kRows);
+  skyline.factorise(pivots, kFirst);
+  const MatrixXd A = matrix.topLeftCorner(kFirst, kFirst),
+                 B = matrix.bottomLeftCorner(kLast, kFirst);
+  const MatrixXd S = matrix.bottomRightCorner(kLast, kLast) - B * A.llt().solve(B.transpose());
+  for (int r = 0; r < kLast; ++r)
+    for (int c = 0; c <= r; ++c)
+      CHECK(skyline.value(kFirst + r, kFirst + c) == doctest::Approx(S(r, c)).epsilon(1e-12));
+  // Where the last values are given, the first follow.
+  const VectorXd right = VectorXd::LinSpaced(kRows, 1.0, 2.0),
+                 given = VectorXd::LinSpaced(kLast, -1.0, 3.0);
+  std::vector<double> x(right.begin(), right.end());
+  skyline.solve_lower(x, kFirst);
+  const VectorXd handed = Eigen::Map<const VectorXd>(x.data() + kFirst, kLast);
+  CHECK((handed - (right.tail(kLast) - B * A.llt().solve(right.head(kFirst)))).norm() < 1e-12);
+  std::copy(given.begin(), given.end(), x.begin() + kFirst);
+  skyline.solve_upper(x, kFirst);
+  const VectorXd found = Eigen::Map<const VectorXd>(x.data(), kFirst);
+  CHECK((A * found + B.transpose() * given - right.head(kFirst)).norm() < 1e-12);
 }
 
 TEST_CASE("a pivot that vanishes is told, and replaced") {
@@ -108,7 +137,7 @@ TEST_CASE("a pivot that vanishes is told, and replaced") {
   for (const auto& [r, c] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1)})
     skyline.entry(r, c) = 4.0;
   std::vector<double> pivots(2);
-  skyline.factorise(pivots);
+  skyline.factorise(pivots, 2);
   CHECK(pivots == std::vector<double>{4.0, 0.0});
   CHECK(skyline.entry(1, 1) == 2.0);
   skyline.set_zero();

@@ -9,6 +9,7 @@
 
 #include "engine/bodies/kernels/kinematics.h"
 #include "engine/bodies/kernels/loops/bearing_force.h"
+#include "engine/bodies/kernels/samples.h"
 #include "engine/bodies/tree/multi_port.h"
 
 namespace spoke {
@@ -40,6 +41,44 @@ Place find_place(const System<World>& system, const LoopPlaceModel& model, doubl
   place.motion.twist = place.handle.twist;
   linear(place.motion.twist) += cross(angular(place.handle.twist), r);
   return place;
+}
+
+/// Returns where the frame H of the hub that carries subsystem `i` is in that of the base. The
+/// poses of the loops must be set.
+space::Pose pose_of_hub(const System<Plane>&, std::size_t, const StepData<Plane>&) { return {}; }
+space::Pose pose_of_hub(const System<Space>& system, std::size_t i, const StepData<Space>& data) {
+  const int rotor = system.subsystems[i].rotor;
+  if (rotor < 0) return {};
+  const SupportedRotor& carried = system.rotors[static_cast<std::size_t>(rotor)];
+  return data.subsystems[static_cast<std::size_t>(carried.subsystem)]
+      .loops.poses[static_cast<std::size_t>(carried.body)];
+}
+
+/// The places of a loop between subsystems, both in H of its own.
+struct SharedPlaces {
+  Place from, to;
+  space::Rotation to_own;  ///< from H of the other one
+};
+
+template <class World>
+SharedPlaces find_places(const System<World>& system, const SharedLoop& loop, double t,
+                         const StepData<World>& data) {
+  const auto own = static_cast<std::size_t>(loop.own.subsystem);
+  const auto end = static_cast<std::size_t>(loop.end.subsystem);
+  const auto place_of = [&](std::size_t i, int k) {
+    return find_place(system, system.subsystems[i].loops[static_cast<std::size_t>(k)].from, t,
+                      data.subsystems[i]);
+  };
+  SharedPlaces places{place_of(own, loop.own.loop), place_of(end, loop.end.loop), {}};
+  if (system.subsystems[own].rotor == system.subsystems[end].rotor) return places;
+  const space::Pose here = pose_of_hub(system, own, data), there = pose_of_hub(system, end, data);
+  const space::Rotation R = here.R.inverse() * there.R;
+  const space::Position p = here.R.inverse() * space::Position(there.p - here.p);
+  Place& to = places.to;
+  to.motion = {p + R * to.motion.p, R * to.motion.R, R * to.motion.twist};
+  to.handle = {p + R * to.handle.p, R * to.handle.R, R * to.handle.twist};
+  places.to_own = R;
+  return places;
 }
 
 /// Returns the acceleration of a place against its handle, as it turns with the section.
@@ -195,6 +234,18 @@ PlaceMotion calc_place_motion(const System<World>& system, std::size_t i,
 }
 
 template <class World>
+LoopPlaces calc_place_motions(const System<World>& system, std::size_t i, const LoopModel& loop,
+                              double t, const StepData<World>& data) {
+  assert(!loop.is_share);
+  if (!loop.is_shared())
+    return {calc_place_motion(system, i, loop.from, t, data),
+            calc_place_motion(system, i, loop.to, t, data)};
+  const SharedPlaces places =
+      find_places(system, system.shared_loops[static_cast<std::size_t>(loop.shared)], t, data);
+  return {places.from.motion, places.to.motion};
+}
+
+template <class World>
 void calc_loop_motion(const System<World>& system, std::size_t i, double t,
                       const ClosureGains& gains, StepData<World>& table) noexcept {
   assert(i < table.subsystems.size());
@@ -209,6 +260,7 @@ void calc_loop_motion(const System<World>& system, std::size_t i, double t,
   }
   for (std::size_t k = 0; k < subsystem.loops.size(); ++k) {
     const LoopModel& loop = subsystem.loops[k];
+    if (loop.is_shared()) continue;  // see calc_shared_motion()
     if (loop.is_coupling()) {
       calc_coupling(loop, static_cast<std::size_t>(data.loops.paths[k].first_row), gains, data);
       continue;
@@ -245,6 +297,98 @@ PartList parts_of_loop_motion(std::size_t i, bool has_implicit, const StepData<W
   return list;
 }
 
+namespace {
+
+/// Sets a row of a share to one that only has a unit force.
+template <class World>
+void clear_share(LoopRowState<World>& row) {
+  row.to.setZero();
+  row.hub.setZero();
+  row.opening = row.rate = row.given_rate = row.target = row.compliance = row.force = 0.0;
+  row.shared_compliance = row.loss = 0.0;
+}
+
+/// Sets the states of the rows of a loop between subsystems, and of its shares.
+template <class World>
+void calc_shared_rows(const System<World>& system, const SharedLoop& shared,
+                      const ClosureGains& gains, StepData<World>& table) {
+  SubsystemData<World>& own = table.subsystems[static_cast<std::size_t>(shared.own.subsystem)];
+  SubsystemData<World>& end = table.subsystems[static_cast<std::size_t>(shared.end.subsystem)];
+  const auto loop_of = [&system](const LoopAt& at) -> const LoopModel& {
+    return system.subsystems[static_cast<std::size_t>(at.subsystem)]
+        .loops[static_cast<std::size_t>(at.loop)];
+  };
+  const LoopModel &loop = loop_of(shared.own), &share = loop_of(shared.end);
+  const auto [from, to, to_own] = find_places(system, shared, 0.0, table);
+  TwistOf<World> of_from = TwistOf<World>::Zero(), of_to = of_from;  // by the last iterate
+  if (gains.position > 0.0) {
+    of_from = calc_loop_acceleration(own, loop.from.body, loop.from.handle);
+    of_to = calc_loop_acceleration(end, share.from.body, share.from.handle);
+  }
+  LoopRowState<World>* const rows =
+      &own.loops.states[own.loops.paths[static_cast<std::size_t>(shared.own.loop)].first_row];
+  LoopRowState<World>* const shares =
+      &end.loops.states[end.loops.paths[static_cast<std::size_t>(shared.end.loop)].first_row];
+  const std::size_t first = own.loops.paths[static_cast<std::size_t>(shared.own.loop)].first_row;
+  for (const SharedLoop::OnHub& at : shared.on_hubs) {
+    LoopData<World>& loops = table.subsystems[static_cast<std::size_t>(at.subsystem)].loops;
+    LoopRowState<World>* const row =
+        &loops.states[loops.paths[static_cast<std::size_t>(at.loop)].first_row];
+    for (std::size_t r = 0; r < loop.rows.size(); ++r) {
+      clear_share(row[r]);
+      row[r].from.setZero();  // until what comes through the hub is known
+    }
+  }
+  for (std::size_t r = 0; r < loop.rows.size(); ++r) {
+    clear_share(rows[r]);
+    clear_share(shares[r]);
+    const RowMotion motion = calc_loop_row(loop.rows[r], from.motion, to.motion);
+    const space::Position& p = from.motion.p;
+    rows[r].from = turn_to_body(own, loop.from.body,
+                                translate(space::Position(p - from.handle.p), motion.unit));
+    shares[r].from = -turn_to_body(
+        end, share.from.body,
+        to_own.inverse() * space::Twist(translate(space::Position(p - to.handle.p), motion.unit)));
+    const double known =
+        linear(motion.unit).dot(centripetal_of(from)) - linear(motion.unit).dot(centripetal_of(to));
+    set_target(loop.rows[r], own.loops.use[first + r], motion, gains, known,
+               rows[r].from.dot(of_from) + shares[r].from.dot(of_to), rows[r]);
+  }
+  if (loop.bearing) set_bearing(*loop.bearing, from, to, gains, rows);
+}
+
+}  // namespace
+
+template <class World>
+void calc_shared_motion(const System<World>& system, const ClosureGains& gains,
+                        StepData<World>& table) noexcept {
+  for (const SharedLoop& loop : system.shared_loops) calc_shared_rows(system, loop, gains, table);
+}
+
+template <class World>
+SharedMotionParts parts_of_shared_motion(const StepData<World>& data) {
+  SharedMotionParts parts;
+  for (const int i : data.shared_loops.visited) {
+    const SubsystemParts& own = data.subsystems[static_cast<std::size_t>(i)].parts;
+    graph::add_to(parts.inputs, own.rotations, own.twists);
+    if constexpr (!tree::kHasJointCoordinates<World>)
+      graph::add_to(parts.inputs, own.all(&BodyParts::coordinates));
+    parts.outputs.push_back(own.loops.motion);
+  }
+  return parts;
+}
+
+template <class World>
+void update_shared_loops(const System<World>& system, StepData<World>& data) noexcept {
+  for (const int i : data.shared_loops.visited) {
+    const auto index = static_cast<std::size_t>(i);
+    SubsystemData<World>& own = data.subsystems[index];
+    update_kinematics(system.subsystems[index], own);
+    calc_poses(system.subsystems[index], own, own.loops.poses);
+  }
+  calc_shared_motion(system, {}, data);
+}
+
 template <class World>
 void update_loops(const System<World>& system, std::size_t i, double t,
                   StepData<World>& table) noexcept {
@@ -272,6 +416,12 @@ double calc_closure_energy(const Subsystem<World>& subsystem,
 
 template PlaceMotion calc_place_motion(const System<Plane>&, std::size_t, const LoopPlaceModel&,
                                        double, const StepData<Plane>&);
+template LoopPlaces calc_place_motions(const System<Plane>&, std::size_t, const LoopModel&, double,
+                                       const StepData<Plane>&);
+template void calc_shared_motion(const System<Plane>&, const ClosureGains&,
+                                 StepData<Plane>&) noexcept;
+template SharedMotionParts parts_of_shared_motion(const StepData<Plane>&);
+template void update_shared_loops(const System<Plane>&, StepData<Plane>&) noexcept;
 template void calc_loop_motion(const System<Plane>&, std::size_t, double, const ClosureGains&,
                                StepData<Plane>&) noexcept;
 template PartList parts_of_loop_motion(std::size_t, bool, const StepData<Plane>&);
@@ -279,6 +429,12 @@ template void update_loops(const System<Plane>&, std::size_t, double, StepData<P
 template double calc_closure_energy(const Subsystem<Plane>&, const LoopData<Plane>&) noexcept;
 template PlaceMotion calc_place_motion(const System<Space>&, std::size_t, const LoopPlaceModel&,
                                        double, const StepData<Space>&);
+template LoopPlaces calc_place_motions(const System<Space>&, std::size_t, const LoopModel&, double,
+                                       const StepData<Space>&);
+template void calc_shared_motion(const System<Space>&, const ClosureGains&,
+                                 StepData<Space>&) noexcept;
+template SharedMotionParts parts_of_shared_motion(const StepData<Space>&);
+template void update_shared_loops(const System<Space>&, StepData<Space>&) noexcept;
 template void calc_loop_motion(const System<Space>&, std::size_t, double, const ClosureGains&,
                                StepData<Space>&) noexcept;
 template PartList parts_of_loop_motion(std::size_t, bool, const StepData<Space>&);

@@ -55,10 +55,18 @@ Twist calc_loop_acceleration(const SubsystemData<Plane>& data, int body, int han
 space::Twist calc_loop_acceleration(const SubsystemData<Space>& data, int body,
                                     int handle) noexcept;
 
-/// Returns the motion of a place of a loop at time t [s].
+/// Returns the motion of a place of a loop of subsystem `i` at time t [s], which is not elsewhere.
 template <class World>
 PlaceMotion calc_place_motion(const System<World>& system, std::size_t i,
                               const LoopPlaceModel& place, double t, const StepData<World>& data);
+/// The motion of the places of a loop, in H of its subsystem.
+struct LoopPlaces {
+  PlaceMotion from, to;
+};
+/// Returns it for a loop of subsystem `i`, no share, wherever its places are.
+template <class World>
+LoopPlaces calc_place_motions(const System<World>& system, std::size_t i, const LoopModel& loop,
+                              double t, const StepData<World>& data);
 
 /// Sets the states of all rows of subsystem `i` at time t [s]. Rotations and twists must be those
 /// of the state.
@@ -68,6 +76,23 @@ void calc_loop_motion(const System<World>& system, std::size_t i, double t,
 /// Returns the parts that they depend on; `has_implicit`: whether any pass is implicit.
 template <class World>
 PartList parts_of_loop_motion(std::size_t i, bool has_implicit, const StepData<World>& data);
+
+/// Sets the states of the rows of loops between subsystems, and of their shares, behind those of
+/// the loops of all subsystems.
+template <class World>
+void calc_shared_motion(const System<World>& system, const ClosureGains& gains,
+                        StepData<World>& data) noexcept;
+/// The parts that they depend on, and those that are set.
+struct SharedMotionParts {
+  PartList inputs, outputs;
+};
+template <class World>
+SharedMotionParts parts_of_shared_motion(const StepData<World>& data);
+
+/// Sets them at the end of a step, with the motion of all subsystems that they visit, by the
+/// coordinates in the table, as update_loops() does for other loops.
+template <class World>
+void update_shared_loops(const System<World>& system, StepData<World>& data) noexcept;
 
 /// Sets them at the end of a step, if the subsystem has loops, by the coordinates in the table: the
 /// last pass of an implicit step leaves them one correction behind, see update_kinematics().

@@ -17,8 +17,7 @@ LoopVector sum_rows(const System<World>& system, std::size_t i, std::size_t k, d
                     const StepData<World>& data, const VectorOf& vector_of) {
   assert(i < system.subsystems.size() && k < system.subsystems[i].loops.size());
   const LoopModel& loop = system.subsystems[i].loops[k];
-  const PlaceMotion from = calc_place_motion(system, i, loop.from, t, data);
-  const PlaceMotion to = calc_place_motion(system, i, loop.to, t, data);
+  const auto [from, to] = calc_place_motions(system, i, loop, t, data);
   LoopVector vector;
   for (std::size_t row = 0; row < loop.rows.size(); ++row) {
     const RowMotion motion = calc_loop_row(loop.rows[row], from, to);

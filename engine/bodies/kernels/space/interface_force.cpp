@@ -39,6 +39,17 @@ space::Twist sum_loads(const SubsystemData<Space>& data, const BodyData<Space>& 
   return sum;
 }
 
+/// Returns the wrench of the share of another subsystem's loop on its place on body j, in H.
+space::Twist sum_share(const SubsystemData<Space>& own, std::size_t k, int j) {
+  const LoopPath& path = own.loops.paths[k];
+  space::Twist wrench = space::Twist::Zero();
+  for (int row = path.first_row; row < path.first_row + path.rows; ++row) {
+    const auto r = static_cast<std::size_t>(row);
+    wrench += own.loops.kept_multipliers[r] * own.loops.states[r].from;
+  }
+  return own.loops.poses[static_cast<std::size_t>(j)].R * wrench;
+}
+
 /// Returns the wrenches of loops on a place of body j, about it, in H. p: the place, in H.
 space::Twist sum_loops(const System<Space>& system, std::size_t i, double t, int j, int place,
                        const space::Position& p, const StepData<Space>& data) {
@@ -52,6 +63,10 @@ space::Twist sum_loops(const System<Space>& system, std::size_t i, double t, int
   for (std::size_t k = 0; k < subsystem.loops.size(); ++k) {
     const LoopModel& loop = subsystem.loops[k];
     if (loop.is_coupling() || (!is_here(loop.from) && !is_here(loop.to))) continue;
+    if (loop.is_share) {
+      sum += sum_share(data.subsystems[i], k, j);
+      continue;
+    }
     // What acts on `from` at its place acts on `to` there with the other sign.
     const space::Twist wrench = translate(
         calc_place_motion(system, i, loop.from, t, data).p - p,

@@ -27,6 +27,7 @@ void place_mass(const BodyData<Space>& body, const space::Twist& twist) {
   if (!body.carried) return space::place_mass(port_of(body), twist, body.terms.Q, port);
   port.diagonal[0] = body.carried->mass;
   port.free[0] = body.terms.Q;
+  for (int h = 1; h < port.handles; ++h) port.free[h].setZero();  // all at its origin
 }
 
 }  // namespace
@@ -119,7 +120,9 @@ void RigidKind::recover(const structured::BodyWork<Space>& work, bool, Data& bod
   if (work.by_mass) {
     body.X = work.X;
   } else if (body.carried) {
-    body.X = body.carried->inverse * space::Twist(body.terms.Q + wrenches[0]);
+    space::Twist sum = body.terms.Q;
+    for (int h = 0; h < body.work.port.handles; ++h) sum += wrenches[h];
+    body.X = body.carried->inverse * sum;
   } else {
     const auto count = static_cast<std::size_t>(body.work.port.handles);
     body.X = space::recover_frame(port_of(body), body.terms.Q, {wrenches, count});

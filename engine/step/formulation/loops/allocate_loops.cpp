@@ -34,6 +34,18 @@ LoopPath find_path(const Subsystem<World>& subsystem, const LoopModel& loop) {
   return path;
 }
 
+/// Adds the rows of a loop to those of all.
+template <class World>
+void add_rows(const LoopModel& loop, LoopData<World>& loops) {
+  for (const LoopRow& row : loop.rows) {
+    loops.use.push_back(row.is_rigid() ? LoopRowUse::solved : LoopRowUse::sprung);
+    loops.level.push_back(loop.is_share      ? LoopRowLevel::share
+                          : loop.is_shared() ? LoopRowLevel::base
+                                             : LoopRowLevel::here);
+    loops.closed += loops.is_closed(loops.level.size() - 1);
+  }
+}
+
 /// Finds paths and how rows take part. Columns of loops follow one another.
 template <class World>
 void list_paths(const Subsystem<World>& subsystem, LoopData<World>& loops) {
@@ -49,8 +61,7 @@ void list_paths(const Subsystem<World>& subsystem, LoopData<World>& loops) {
     loops.last_body = std::max(loops.last_body, path.bodies.front());  // from the tips on
     for (const CoupledCoordinate& at : loop.coupled) loops.coupled.push_back(at.body);
     if (loop.bearing) loops.bearings.push_back(path.first_row);
-    for (const LoopRow& row : loop.rows)
-      loops.use.push_back(row.is_rigid() ? LoopRowUse::solved : LoopRowUse::sprung);
+    add_rows(loop, loops);
   }
 }
 
@@ -70,22 +81,51 @@ void list_meetings(const Subsystem<World>& subsystem, LoopData<World>& loops) {
   }
 }
 
+/// Whether the subsystem solves for the forces of a loop.
+template <class World>
+bool is_closed(const LoopData<World>& loops, std::size_t loop) {
+  return loops.is_closed(static_cast<std::size_t>(loops.paths[loop].first_row));
+}
+
+/// Returns the loops in the order of elimination: those that are solved here first.
+template <class World>
+std::vector<int> order_loops(const LoopData<World>& loops,
+                             const std::vector<std::vector<int>>& neighbours) {
+  std::vector<int> closed, order, place(loops.paths.size(), -1);
+  for (std::size_t k = 0; k < loops.paths.size(); ++k)
+    if (is_closed(loops, k)) {
+      place[k] = static_cast<int>(closed.size());
+      closed.push_back(static_cast<int>(k));
+    }
+  std::vector<std::vector<int>> among(closed.size());
+  std::vector<int> sizes;
+  for (std::size_t a = 0; a < closed.size(); ++a) {
+    const auto loop = static_cast<std::size_t>(closed[a]);
+    sizes.push_back(loops.paths[loop].rows);
+    for (const int b : neighbours[loop])
+      if (place[static_cast<std::size_t>(b)] >= 0)
+        among[a].push_back(place[static_cast<std::size_t>(b)]);
+  }
+  for (const int k : find_low_order(among, sizes))
+    order.push_back(closed[static_cast<std::size_t>(k)]);
+  for (std::size_t k = 0; k < loops.paths.size(); ++k)
+    if (!is_closed(loops, k)) order.push_back(static_cast<int>(k));
+  return order;
+}
+
 /// Orders the rows, and returns the first column of each in this order.
 template <class World>
 std::vector<int> order_rows(LoopData<World>& loops) {
   const std::size_t count = loops.paths.size();
   std::vector<std::vector<int>> neighbours(count);
-  std::vector<int> sizes;
-  for (std::size_t a = 0; a < count; ++a) {
-    sizes.push_back(loops.paths[a].rows);
+  for (std::size_t a = 0; a < count; ++a)
     for (const int b : loops.meets[a]) {
       if (std::cmp_equal(a, b)) continue;
       neighbours[a].push_back(b);
       neighbours[static_cast<std::size_t>(b)].push_back(static_cast<int>(a));
     }
-  }
   loops.place_of.resize(loops.use.size());
-  for (const int k : find_low_order(neighbours, sizes)) {
+  for (const int k : order_loops(loops, neighbours)) {
     const LoopPath& path = loops.paths[static_cast<std::size_t>(k)];
     for (int row = path.first_row; row < path.first_row + path.rows; ++row) {
       loops.place_of[static_cast<std::size_t>(row)] = static_cast<int>(loops.row_at.size());

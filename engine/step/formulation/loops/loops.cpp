@@ -5,17 +5,30 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "engine/step/formulation/tree_joints.h"
 
 namespace spoke {
 namespace {
 
+/// Whether a row stays in the matrix: its force is an unknown, here or where it is handed up to.
+template <class World>
+bool is_in(const LoopData<World>& loops, std::size_t row, bool is_implicit) {
+  return !loops.is_closed(row) || is_solved(loops.use[row], is_implicit);
+}
+
 /// Sets the forces of springs that are given; others are zero.
 template <class World>
 void put_given_forces(bool is_implicit, LoopData<World>& loops) {
   for (std::size_t r = 0; r < loops.multipliers.size(); ++r)
-    loops.multipliers[r] = is_solved(loops.use[r], is_implicit) ? 0.0 : loops.states[r].force;
+    loops.multipliers[r] = is_in(loops, r, is_implicit) ? 0.0 : loops.states[r].force;
+}
+
+/// Returns the relative acceleration that is asked of a row, as far as it is known here.
+template <class World>
+double target_of(const LoopData<World>& loops, std::size_t row) {
+  return loops.level[row] == LoopRowLevel::base ? 0.0 : loops.states[row].target;
 }
 
 /// Takes rows out of the matrix whose forces are no unknowns; what these do goes to the other
@@ -27,13 +40,13 @@ void take_out(bool is_implicit, LoopData<World>& loops) {
   };
   for (int p = 0; p < loops.rows; ++p) {
     const std::size_t r = row_at(p);
-    const bool is_in = is_solved(loops.use[r], is_implicit);
+    const bool own_is_in = is_in(loops, r, is_implicit);
     for (int q = loops.matrix.first(p); q <= p; ++q) {
       const std::size_t c = row_at(q);
-      const bool other_is_in = is_solved(loops.use[c], is_implicit);
-      if (is_in && other_is_in) continue;
+      const bool other_is_in = is_in(loops, c, is_implicit);
+      if (own_is_in && other_is_in) continue;
       double& entry = loops.matrix.entry(p, q);
-      if (is_in) loops.half[static_cast<std::size_t>(p)] -= entry * loops.multipliers[c];
+      if (own_is_in) loops.half[static_cast<std::size_t>(p)] -= entry * loops.multipliers[c];
       if (other_is_in) loops.half[static_cast<std::size_t>(q)] -= entry * loops.multipliers[r];
       entry = p == q ? 1.0 : 0.0;
     }
@@ -58,43 +71,49 @@ std::vector<int> bodies_of(const LoopModel& loop) {
 }
 
 template <class World>
-void factorise_loops(SubsystemData<World>& data) noexcept {
-  LoopData<World>& loops = data.loops;
-  const bool is_implicit = data.progress->control.is_implicit;
-  EffectiveInertia<World>& effective = data.effective;
+void factorise_loops(const StepProgress& progress, LoopData<World>& loops,
+                     TwistMatrixOf<World>& mass, TwistOf<World>& force) noexcept {
+  const bool is_implicit = progress.control.is_implicit;
   put_given_forces(is_implicit, loops);
   for (int row = 0; row < loops.rows; ++row) {
     const auto r = static_cast<std::size_t>(row);
     const auto p = static_cast<std::size_t>(loops.place_of[r]);
-    const bool is_unknown = is_solved(loops.use[r], is_implicit);
-    effective.force += loops.multipliers[r] * loops.hub[r];  // of springs that are given
-    loops.half[p] = is_unknown ? loops.states[r].target - loops.free[r] : 0.0;
+    const bool is_unknown = is_in(loops, r, is_implicit);
+    force += loops.multipliers[r] * loops.hub[r];  // of springs that are given
+    loops.half[p] = is_unknown ? target_of(loops, r) - loops.free[r] : 0.0;
     loops.half_hub[p] = is_unknown ? loops.hub[r] : TwistOf<World>(TwistOf<World>::Zero());
   }
   take_out(is_implicit, loops);
+  const auto is_closed = [&loops](int r) { return loops.is_closed(static_cast<std::size_t>(r)); };
   for (int r = 0; r < loops.rows; ++r)
-    loops.entry(r, r) += loops.states[static_cast<std::size_t>(r)].compliance;
+    if (is_closed(r)) loops.entry(r, r) += loops.states[static_cast<std::size_t>(r)].compliance;
   for (const int r : loops.bearings)
-    loops.entry(r + 1, r) += loops.states[static_cast<std::size_t>(r)].shared_compliance;
-  loops.matrix.factorise(loops.pivots);
-  keep_first_pivots(*data.progress, loops);
-  loops.matrix.solve_lower(loops.half);
-  loops.matrix.solve_lower(loops.half_hub);
-  for (std::size_t p = 0; p < loops.half.size(); ++p) {
-    effective.mass += loops.half_hub[p] * loops.half_hub[p].transpose();
-    effective.force += loops.half[p] * loops.half_hub[p];
+    if (is_closed(r))
+      loops.entry(r + 1, r) += loops.states[static_cast<std::size_t>(r)].shared_compliance;
+  loops.matrix.factorise(loops.pivots, loops.closed);
+  std::fill(loops.pivots.begin() + loops.closed, loops.pivots.end(), 1.0);
+  keep_first_pivots(progress, loops);
+  loops.matrix.solve_lower(loops.half, loops.closed);
+  loops.matrix.solve_lower(loops.half_hub, loops.closed);
+  for (std::size_t p = 0; std::cmp_less(p, loops.closed); ++p) {
+    mass += loops.half_hub[p] * loops.half_hub[p].transpose();
+    force += loops.half[p] * loops.half_hub[p];
   }
 }
 
 template <class World>
-void calc_loop_forces(SubsystemData<World>& data) noexcept {
-  LoopData<World>& loops = data.loops;
-  const bool is_implicit = data.progress->control.is_implicit;
-  const TwistOf<World>& hub = *data.hub_acceleration;
-  for (std::size_t p = 0; p < loops.half.size(); ++p) loops.half[p] -= loops.half_hub[p].dot(hub);
-  loops.matrix.solve_upper(loops.half);
+void calc_loop_forces(bool is_implicit, const TwistOf<World>& hub,
+                      LoopData<World>& loops) noexcept {
+  for (std::size_t p = 0; p < loops.half.size(); ++p) {
+    const auto r = static_cast<std::size_t>(loops.row_at[p]);
+    if (loops.is_closed(r))
+      loops.half[p] -= loops.half_hub[p].dot(hub);
+    else
+      loops.half[p] = loops.multipliers[r];
+  }
+  loops.matrix.solve_upper(loops.half, loops.closed);
   for (std::size_t r = 0; r < loops.multipliers.size(); ++r)
-    if (is_solved(loops.use[r], is_implicit))
+    if (loops.is_closed(r) && is_solved(loops.use[r], is_implicit))
       loops.multipliers[r] = loops.half[static_cast<std::size_t>(loops.place_of[r])];
 }
 
@@ -167,13 +186,14 @@ void keep_loop_loads(SubsystemData<World>& data) noexcept {
   std::copy(loops.multipliers.begin(), loops.multipliers.end(), loops.kept_multipliers.begin());
 }
 
-template void factorise_loops(SubsystemData<Plane>&) noexcept;
-template void calc_loop_forces(SubsystemData<Plane>&) noexcept;
+template void factorise_loops(const StepProgress&, LoopData<Plane>&, TwistMatrix&, Twist&) noexcept;
+template void calc_loop_forces(bool, const Twist&, LoopData<Plane>&) noexcept;
 template void put_loop_wrenches(const Subsystem<Plane>&, SubsystemData<Plane>&) noexcept;
 template void report_loops(const Subsystem<Plane>&, double, SubsystemData<Plane>&) noexcept;
 template void keep_loop_loads(SubsystemData<Plane>&) noexcept;
-template void factorise_loops(SubsystemData<Space>&) noexcept;
-template void calc_loop_forces(SubsystemData<Space>&) noexcept;
+template void factorise_loops(const StepProgress&, LoopData<Space>&, space::TwistMatrix&,
+                              space::Twist&) noexcept;
+template void calc_loop_forces(bool, const space::Twist&, LoopData<Space>&) noexcept;
 template void put_loop_wrenches(const Subsystem<Space>&, SubsystemData<Space>&) noexcept;
 template void report_loops(const Subsystem<Space>&, double, SubsystemData<Space>&) noexcept;
 template void keep_loop_loads(SubsystemData<Space>&) noexcept;

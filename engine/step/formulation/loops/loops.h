@@ -8,6 +8,11 @@
 //   M^C += N^T D^-1 N,   Q^C += N^T D^-1 (target - free)
 // D, N and free come from the formulation: loop columns. The rest is common to `structured` and
 // `subsystem`; `augmented` has the rows in its one system.
+//
+// Rows of loops between subsystems stay open: what the elimination of the closed rows c leaves of
+// an open one o,
+//   D_oo - D_oc D_cc^-1 D_co,   N_o - D_oc D_cc^-1 N_c,   free_o + D_oc D_cc^-1 (target_c - free_c)
+// is handed up to where all meet, see shared_loops.h, from where lambda_o comes back.
 
 #include <array>
 #include <string>
@@ -66,14 +71,24 @@ inline bool find_efforts(const LoopModel& loop, int body, JointEfforts& efforts)
 /// Returns the bodies that carry places of a loop, each once.
 std::vector<int> bodies_of(const LoopModel& loop);
 
-/// Factorises D, which `loops.matrix` holds (its lower triangle), and adds to effective mass and
-/// force.
+/// Eliminates the closed rows of D, which `loops.matrix` holds (its lower triangle), and adds what
+/// they do to the mass and the force of the hub.
 template <class World>
-void factorise_loops(SubsystemData<World>& data) noexcept;
+void factorise_loops(const StepProgress& progress, LoopData<World>& loops,
+                     TwistMatrixOf<World>& mass, TwistOf<World>& force) noexcept;
+template <class World>
+void factorise_loops(SubsystemData<World>& data) noexcept {
+  factorise_loops(*data.progress, data.loops, data.effective.mass, data.effective.force);
+}
 
-/// Sets the multipliers of all rows, from the hub's acceleration.
+/// Sets the multipliers of all closed rows, from the hub's acceleration and the multipliers of open
+/// rows.
 template <class World>
-void calc_loop_forces(SubsystemData<World>& data) noexcept;
+void calc_loop_forces(bool is_implicit, const TwistOf<World>& hub, LoopData<World>& loops) noexcept;
+template <class World>
+void calc_loop_forces(SubsystemData<World>& data) noexcept {
+  calc_loop_forces(data.progress->control.is_implicit, *data.hub_acceleration, data.loops);
+}
 /// Returns the parts that they depend on besides the rows.
 template <class World>
 PartList parts_of_loop_forces(const SubsystemData<World>& data) {

@@ -154,6 +154,7 @@ double largest_difference(const Run<Space>& a, const Run<Space>& b) {
 std::unique_ptr<Run<Space>> check_formulations(const System<Space>& system, const Method& method,
                                                std::int64_t steps, double tolerance) {
   const auto run = [&](Formulation formulation) {
+    CAPTURE(name_of(formulation));
     auto made = std::make_unique<Run<Space>>(
         system, RunSetup{.method = method, .formulation = formulation});
     made->advance(steps);

@@ -1,0 +1,19 @@
+#pragma once
+
+// Rules for loops that end on another blade or subsystem, which are looked at when all are known.
+
+#include "models/reader/spatial/fault.h"
+#include "models/spatial_model.h"
+
+namespace spoke::spatial {
+
+/// LoopPlace::blade while "next" of a file is not yet a number: the next blade of the rotor, behind
+/// the last one the first.
+inline constexpr int kNextBlade = -1;
+/// Puts the numbers in the place of kNextBlade.
+void resolve_next_blades(Model& model);
+
+/// Finds the first fault of such an end, "blades.2.loop.1.to.blade".
+Fault find_loop_end_fault(const Model& model);
+
+}  // namespace spoke::spatial
