@@ -40,8 +40,8 @@ SPOKE_EXPORT std::string_view name_of(LoopKind kind);
 
 /// A place that a loop is fixed to: a frame on a body of its blade or subsystem, on the hub, on the
 /// mount that holds the hub's axle, on an anchor, or on a body of another blade or subsystem. A
-/// place of a loop on hub, mount or anchor is given as a blade or subsystem at the azimuth 0 has it,
-/// and turned by its azimuth about the hub's axis.
+/// place of a loop on hub, mount or anchor is given as a blade or subsystem at the azimuth 0 has
+/// it, and turned by its azimuth about the hub's axis.
 struct LoopPlace {
   /// What carries the place; `hub` is, of a loop of a support, what the support stands on.
   /// `elsewhere`: a body of the blade or subsystem that `blade` or `subsystem` says; in space, only
