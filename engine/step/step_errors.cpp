@@ -104,7 +104,7 @@ void set_lengths(StepData<World>& data) {
       longest = std::max(longest, length_of(*body.model));
       farthest = std::max(farthest, reach_of(*body.model));
     }
-  data.length = longest > 0.0 ? longest : farthest;
+  data.length = longest > 0.0 ? longest : farthest > 0.0 ? farthest : 1.0;
   for (SubsystemData<World>& subsystem : data.subsystems)
     for (BodyData<World>& body : subsystem.bodies) {
       const double own = size_of_coordinates(*body.model);

@@ -389,3 +389,25 @@ TEST_CASE("rk4 tells no error of a step") {
   CHECK(simulation.step_accuracy().place.empty());
   CHECK(simulation.step_accuracy().error == 0.0);
 }
+
+TEST_CASE("a hub without mass on a support leaves rigid bodies the length that errors go by") {
+  const std::string text = R"(
+hub = { inertia = 5.0, drive = { kind = 'constant', speed = 3.0 } }
+[support]
+body = [ { name = 'stage', kind = 'rigid', mass = 2.0, inertia = 1.0 } ]
+joint = [ { parent = 'ground', child = 'stage', kind = 'prismatic', axis = [1, 0, 0], initial = 0.1,
+            stiffness = 200.0 } ]
+axle = { body = 'stage' }
+[[subsystem]]
+name = 'arm'
+body = [ { name = 'rod', kind = 'rigid', mass = 1.0, center = [0.5, 0, 0], inertia = [0.01, 0.1, 0.1] } ]
+joint = [ { parent = 'hub', child = 'rod', kind = 'revolute', axis = [0, 0, 1], offset = [0.1, 0, 0] } ]
+[integration]
+step = 0.01
+duration = 1.0
+)";
+  Simulation simulation(parse(text), kSerial);
+  simulation.run_until(1.0);
+  CHECK(simulation.step_accuracy().error > 1e-7);
+  CHECK(simulation.step_accuracy().error < 1e-2);
+}

@@ -11,7 +11,8 @@ namespace spoke {
 
 double RigidKind::reach(const space::Body& body) const noexcept {
   const space::RigidBody& rigid = *body.rigid();
-  double reach = std::sqrt(0.5 * rigid.inertia.trace() / rigid.mass) + rigid.centre.norm();
+  double reach = rigid.centre.norm();
+  if (rigid.mass > 0.0) reach += std::sqrt(0.5 * rigid.inertia.trace() / rigid.mass);
   for (const space::Position& handle : rigid.outboard) reach = std::max(reach, handle.norm());
   return reach;
 }
