@@ -72,7 +72,8 @@ template <class World>
 void add_shared_loop_motion(const Assembly<World>& g) {
   SystemContext<World>& c = g.c;
   if (c.system.shared_loops.empty()) return;
-  const auto [inputs, outputs] = parts_of_shared_motion(c.data);
+  const bool has_implicit = std::holds_alternative<GeneralizedAlpha>(c.integrator.method);
+  const auto [inputs, outputs] = parts_of_shared_motion(has_implicit, c.data);
   g.builder.add_node(g.label(stages::kSharedLoopMotion), reads(g.parts().progress, inputs),
                      updates(outputs), unless_halted(c.data.progress[0], [&c]() noexcept {
                        const PassControl& control = c.data.progress[0].control;

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/simulation.h"
@@ -20,6 +22,10 @@ using namespace spoke::test;
 namespace {
 
 constexpr int kSteps = 12;
+
+/// Models that several processes do not simulate together.
+const std::set<std::string_view> kOfOneProcess{
+    "helicopter_on_gear, blades tied"};  // loops between subsystems
 
 /// What a run has shown, to the last bit.
 struct Shown {
@@ -156,7 +162,7 @@ TEST_CASE("every model of several subsystems has the bits of one process in two"
     CAPTURE(model.name);
     const Scenario scenario = model.read(kSteps);
     Simulation alone(scenario, by(ExecutorKind::serial, 1, 1));
-    if (alone.size().subsystems < 2) continue;
+    if (alone.size().subsystems < 2 || kOfOneProcess.contains(model.name)) continue;
     const Shown expected = run(alone);
     on_ranks(2, [&](ThreadExchange& exchange) {
       SimulationOptions options = by(ExecutorKind::serial, 1, 1);

@@ -366,13 +366,14 @@ void calc_shared_motion(const System<World>& system, const ClosureGains& gains,
 }
 
 template <class World>
-SharedMotionParts parts_of_shared_motion(const StepData<World>& data) {
+SharedMotionParts parts_of_shared_motion(bool has_implicit, const StepData<World>& data) {
   SharedMotionParts parts;
   for (const int i : data.shared_loops.visited) {
     const SubsystemParts& own = data.subsystems[static_cast<std::size_t>(i)].parts;
     graph::add_to(parts.inputs, own.rotations, own.twists);
     if constexpr (!tree::kHasJointCoordinates<World>)
       graph::add_to(parts.inputs, own.all(&BodyParts::coordinates));
+    if (has_implicit) graph::add_to(parts.inputs, own.all(&BodyParts::accelerations));
     parts.outputs.push_back(own.loops.motion);
   }
   return parts;
@@ -420,7 +421,7 @@ template LoopPlaces calc_place_motions(const System<Plane>&, std::size_t, const 
                                        const StepData<Plane>&);
 template void calc_shared_motion(const System<Plane>&, const ClosureGains&,
                                  StepData<Plane>&) noexcept;
-template SharedMotionParts parts_of_shared_motion(const StepData<Plane>&);
+template SharedMotionParts parts_of_shared_motion(bool, const StepData<Plane>&);
 template void update_shared_loops(const System<Plane>&, StepData<Plane>&) noexcept;
 template void calc_loop_motion(const System<Plane>&, std::size_t, double, const ClosureGains&,
                                StepData<Plane>&) noexcept;
@@ -433,7 +434,7 @@ template LoopPlaces calc_place_motions(const System<Space>&, std::size_t, const 
                                        const StepData<Space>&);
 template void calc_shared_motion(const System<Space>&, const ClosureGains&,
                                  StepData<Space>&) noexcept;
-template SharedMotionParts parts_of_shared_motion(const StepData<Space>&);
+template SharedMotionParts parts_of_shared_motion(bool, const StepData<Space>&);
 template void update_shared_loops(const System<Space>&, StepData<Space>&) noexcept;
 template void calc_loop_motion(const System<Space>&, std::size_t, double, const ClosureGains&,
                                StepData<Space>&) noexcept;

@@ -82,12 +82,13 @@ PartList parts_of_loop_motion(std::size_t i, bool has_implicit, const StepData<W
 template <class World>
 void calc_shared_motion(const System<World>& system, const ClosureGains& gains,
                         StepData<World>& data) noexcept;
-/// The parts that they depend on, and those that are set.
+/// The parts that they depend on, and those that are set; `has_implicit`: whether any pass is
+/// implicit.
 struct SharedMotionParts {
   PartList inputs, outputs;
 };
 template <class World>
-SharedMotionParts parts_of_shared_motion(const StepData<World>& data);
+SharedMotionParts parts_of_shared_motion(bool has_implicit, const StepData<World>& data);
 
 /// Sets them at the end of a step, with the motion of all subsystems that they visit, by the
 /// coordinates in the table, as update_loops() does for other loops.

@@ -139,8 +139,8 @@ void allocate_shared_loops(const System<World>& system, StepData<World>& data) {
   data.parts.shared_loops = maker.cover(
       "shared loops", Mark::none, rows.states, rows.hub, rows.free, rows.half_hub, rows.half,
       rows.pivots, rows.multipliers, rows.matrix.values(), shared.mass, shared.force);
-  data.parts.first_pivots = maker.cover("first pivots of shared loops", Mark::state,
-                                        rows.first_explicit, rows.first_implicit);
+  data.parts.first_pivots =
+      maker.cover("first pivots of loops", Mark::state, rows.first_explicit, rows.first_implicit);
 }
 
 template <class World>
