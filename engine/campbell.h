@@ -15,7 +15,9 @@ namespace spoke {
 
 /// Speeds and modes of a Campbell diagram.
 struct CampbellOptions {
-  std::vector<double> speeds{};  ///< ascending, two or more [rad/s]
+  /// Ascending, two or more [rad/s]. Of several rotors on a support those of the first; the others
+  /// turn by the ratios of the speeds that their drives lead to.
+  std::vector<double> speeds{};
   /// Number of modes to follow, as in ModeOptions; none: as many as there are, up to `most`.
   std::optional<int> count = std::nullopt;
   int most = 6;

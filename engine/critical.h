@@ -19,8 +19,10 @@ namespace spoke {
 
 /// What is varied, and how far.
 struct CriticalOptions {
-  /// "speed": the speed of the hub [rad/s]. "load=NAME": a factor of all loads of this name, which
-  /// is 1 for the loads as the scenario has them; "load=gravity": of gravity.
+  /// "speed": the speed of the hub, of several rotors on a support of the first, while the others
+  /// turn by the ratios of the speeds that their drives lead to [rad/s]. "load=NAME": a factor of
+  /// all loads of this name, which is 1 for the loads as the scenario has them; "load=gravity": of
+  /// gravity.
   std::string of{};
   double from = 0.0;    ///< value at which the search begins, and the equilibrium is stable
   double to = 0.0;      ///< value at which it ends, greater than `from`

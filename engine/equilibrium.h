@@ -3,6 +3,7 @@
 // The equilibrium of a model in steady rotation, or at rest.
 
 #include <Eigen/Core>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,9 +22,11 @@ struct SolidConstants;
 
 /// The steady motion of a model.
 struct SteadyState {
-  /// Speed of the hub about its axis [rad/s]; none: the speed that the drive of the scenario leads
-  /// to.
+  /// Speed of the hub about its axis, of several rotors of the first [rad/s]; none: the speed that
+  /// the drive of the scenario leads to.
   std::optional<double> speed = std::nullopt;
+  /// Of rotors on a support by their names, likewise; what is not there has its drive's.
+  std::map<std::string, double> speeds{};
 };
 
 /// A coordinate of a joint in equilibrium.
@@ -79,9 +82,10 @@ struct RotorAir {
   double torque = 0.0;  ///< about the axis [N m]
 };
 
-/// A blade, or another subsystem, in equilibrium. Vectors are in the hub's frame.
+/// A blade, or another subsystem, in equilibrium. Vectors are in the frame of its hub.
 struct BladeEquilibrium {
   std::string name;                                 ///< "blade 1", or the subsystem's
+  int rotor = 0;                                    ///< number of the rotor that it is on, from 0
   Eigen::Vector3d tip_displacement{0.0, 0.0, 0.0};  ///< from its undeformed place [m]
   Eigen::Vector3d tip_rotation{0.0, 0.0, 0.0};      ///< rotation vector [rad]
   std::vector<JointPosition> joints;                ///< coordinates of free joints
@@ -106,6 +110,17 @@ struct HubPlace {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< columns; z is the axis of rotation
 };
 
+/// One of several rotors on a support in equilibrium.
+struct RotorEquilibrium {
+  std::string name;
+  double speed = 0.0;  ///< of its hub [rad/s]
+  HubPlace hub;
+  /// Force of support and drive on its hub, hub frame [N].
+  Eigen::Vector3d force{0.0, 0.0, 0.0};
+  Eigen::Vector3d moment{0.0, 0.0, 0.0};       ///< moment about its origin, hub frame [N m]
+  std::optional<RotorAir> air = std::nullopt;  ///< none: no air acts
+};
+
 /// What small motions about an equilibrium do.
 enum class SmallMotions {
   decay,
@@ -123,7 +138,7 @@ struct Stability {
   std::string of;          ///< whose it is: "blade 1"
 };
 
-/// A model in equilibrium.
+/// A model in equilibrium. Of several rotors, what is said of the hub is that of the first.
 struct EquilibriumResult {
   double speed = 0.0;  ///< of the hub [rad/s]
   /// And behind them other subsystems; a support is the last, and its vectors are in the frame of
@@ -134,6 +149,7 @@ struct EquilibriumResult {
   Eigen::Vector3d hub_force{0.0, 0.0, 0.0};
   Eigen::Vector3d hub_moment{0.0, 0.0, 0.0};   ///< moment about its origin, hub frame [N m]
   std::optional<RotorAir> air = std::nullopt;  ///< none: no air acts
+  std::vector<RotorEquilibrium> rotors{};      ///< of several on a support all; else empty
   /// None: not known, where matrices are periodic, joints relax or loops are in a singular
   /// position.
   std::optional<Stability> stability = std::nullopt;

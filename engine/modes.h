@@ -58,12 +58,19 @@ struct ModeHarmonic {
   double of_hub = 0.0;     ///< that share of it which the hub has
 };
 
+/// The motion of a hub's frame in a mode, in its own axes.
+struct HubShape {
+  Eigen::Vector3cd displacement = Eigen::Vector3cd::Zero();
+  Eigen::Vector3cd rotation = Eigen::Vector3cd::Zero();  ///< [rad/m]
+};
+
 /// A vibration mode: motion Re(shape exp(eigenvalue t)) about the equilibrium, in the frame that
 /// turns with the hub. In the frame `fixed` its shape is that of the hub and, by blade, the motion
 /// that blades have when they pass the place where the blade is at t = 0.
 struct Mode {
   /// After the largest motion: "flap 1", "lag_hinge", "collective lag 1"; in the other frames
-  /// "lag 1 collective".
+  /// "lag 1 collective". Of several rotors with those that move most: "tail: lag 1 collective",
+  /// "front + rear: flap 1 collective".
   std::string name;
   std::string kind;  ///< "flap", "lag", "axial", "torsion", a joint's name, "hub"
   /// The blades that it belongs to: "blade 1", "blades 1 to 3" that are alike, "all" where blades
@@ -84,6 +91,8 @@ struct Mode {
   /// prescribed.
   Eigen::Vector3cd hub_displacement = Eigen::Vector3cd::Zero();
   Eigen::Vector3cd hub_rotation = Eigen::Vector3cd::Zero();  ///< its rotation [rad/m]
+  /// Of several rotors on a support, the same of each, that of the first again; else empty.
+  std::vector<HubShape> hubs;
   /// Free coordinates of the hub, then all others in the order of the model; in the frame `fixed`
   /// multi-blade coordinates, conjugate where blades have a negative frequency.
   Eigen::VectorXcd coordinates;

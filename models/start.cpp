@@ -81,6 +81,21 @@ bool has_moving_joint(const spatial::Model& model) {
   return false;
 }
 
+/// Finds a fault of the start of rotors besides the first: their speeds are those that their drives
+/// say.
+StartFault find_further_speed_fault(const Scenario& scenario) {
+  if (!scenario.space) return {};
+  for (const spatial::Rotor& rotor : scenario.space->rotors) {
+    const Drive& drive = rotor.hub.drive;
+    const bool is_torque = !prescribes_motion(drive) && !std::holds_alternative<FreeDrive>(drive);
+    if (is_torque && calc_initial_speed(drive) == 0.0)
+      return {"state", "is an equilibrium, but the drive of the rotor \"" + rotor.hub.name +
+                           "\" is a torque from rest, expected an initial_speed: a torque has no "
+                           "steady one by itself"};
+  }
+  return {};
+}
+
 /// Finds a fault of a start at an equilibrium.
 StartFault find_equilibrium_fault(const Scenario& scenario) {
   if (scenario.space && has_moving_joint(*scenario.space))
@@ -88,6 +103,7 @@ StartFault find_equilibrium_fault(const Scenario& scenario) {
             "is an equilibrium, but a joint has an initial_speed, expected only one of them"};
   if (tumbles(scenario))
     return {"state", "is an equilibrium, expected hub.angular_velocity along hub.axis"};
+  if (StartFault fault = find_further_speed_fault(scenario); !fault.key.empty()) return fault;
   const Drive& drive = drive_of(scenario);
   return prescribes_motion(drive) ? find_prescribed_speed_fault(drive, start_speed(scenario))
                                   : find_free_speed_fault(scenario);
@@ -143,10 +159,20 @@ double start_speed(const Scenario& scenario) {
   return speed_after_ramp(drive_of(scenario)).value_or(said_speed(scenario));
 }
 
+std::vector<double> start_speeds(const Scenario& scenario) {
+  std::vector<double> speeds{start_speed(scenario)};
+  if (scenario.space)
+    for (const spatial::Rotor& rotor : scenario.space->rotors)
+      speeds.push_back(
+          speed_after_ramp(rotor.hub.drive).value_or(calc_initial_speed(rotor.hub.drive)));
+  return speeds;
+}
+
 Scenario skip_start_up(const Scenario& scenario) {
   Scenario begun = scenario;
   if (scenario.initial.state == InitialState::undeformed) return begun;
-  const double speed = start_speed(scenario);
+  const std::vector<double> speeds = start_speeds(scenario);
+  const double speed = speeds.front();
   if (!begun.space) {
     skip_all_ramps(begun.rotor);
     skip_ramps(begun.rotor.drags);
@@ -159,6 +185,8 @@ Scenario skip_start_up(const Scenario& scenario) {
     hub.angular_velocity = speed * hub.axis.normalized();
   else
     begin_at(speed, hub.drive);
+  for (std::size_t r = 0; r < begun.space->rotors.size(); ++r)
+    begin_at(speeds[r + 1], begun.space->rotors[r].hub.drive);
   return begun;
 }
 

@@ -4,6 +4,7 @@
 // speed, without the ramps that only lead there.
 
 #include <string>
+#include <vector>
 
 #include "models/scenario.h"
 
@@ -25,6 +26,8 @@ inline constexpr const char* kStartUndeformed = "; --set initial={} starts witho
 /// Returns the speed of the hub at t = 0 [rad/s]. Preconditions: initial.state is equilibrium, and
 /// there is no fault.
 double start_speed(const Scenario& scenario);
+/// Returns those of the hubs of all rotors, in their order.
+std::vector<double> start_speeds(const Scenario& scenario);
 
 /// Returns the scenario that is simulated. If it starts at an equilibrium, ramps of loads and
 /// gravity are over, and the drive begins at the start's speed; any other scenario is returned

@@ -399,14 +399,18 @@ System<Space> make_system(const spatial::Model& model, const std::vector<spatial
 }
 
 System<Space> make_support_alone(const spatial::Model& model,
-                                 const std::vector<spatial::Tree>& trees, const Ballast& ballast,
+                                 const std::vector<spatial::Tree>& trees,
+                                 const std::vector<Ballast>& ballasts,
                                  const solid::Control& control) {
-  assert(model.support && model.rotors.empty() && trees.back().bodies.back().is_hub());
+  assert(model.support && std::cmp_equal(ballasts.size(), count_rotors(model)));
   spatial::Tree tree = trees.back();
-  spatial::TreeBody& hub = tree.bodies.back();
-  hub.shape = spatial::RigidBody{ballast.mass, spatial::Vector::Zero(),
-                                 ballast.inertia * spatial::Tensor::Identity()};
-  hub.joint.coordinates[0].motion = spatial::MotionTable{};
+  for (int r = 0; r < count_rotors(model); ++r) {
+    const Ballast& ballast = ballasts[static_cast<std::size_t>(r)];
+    spatial::TreeBody& hub = tree.bodies[find_hub(tree, r)];
+    hub.shape = spatial::RigidBody{ballast.mass, spatial::Vector::Zero(),
+                                   ballast.inertia * spatial::Tensor::Identity()};
+    hub.joint.coordinates[0].motion = spatial::MotionTable{};
+  }
   System<Space> system;
   system.hub = make_base(*model.support, model.hub, tree);
   system.gravity = model.gravity;
@@ -426,20 +430,6 @@ System<Space> make_support_alone(const spatial::Model& model,
       make_drag(bodies_of_tree(model, trees.size() - 1), tree, support, model.air->density);
   if (support.drag) system.wind = make_wind(model.air->wind);
   return system;
-}
-
-spatial::Model without_support(const spatial::Model& model) {
-  assert(model.support && model.rotors.empty() && is_support(model, model.subsystems.back()));
-  spatial::Model rotor = model;
-  rotor.support.reset();
-  rotor.subsystems.pop_back();
-  rotor.hub.mount = {};
-  const auto is_on_support = [](const auto& load) {
-    return load.place.subsystem == spatial::kSupportName;
-  };
-  std::erase_if(rotor.loads, is_on_support);
-  std::erase_if(rotor.distributed_loads, is_on_support);
-  return rotor;
 }
 
 System<Space> make_system(const spatial::Model& model) {

@@ -27,15 +27,13 @@ struct Ballast {
   double inertia = 1.0;  ///< about all axes [kg m^2]
 };
 
-/// Builds the constants of the support of a model alone, as one subsystem on its base: `ballast` is
-/// its hub, and its axle does not turn. Nothing of the rotor acts on it. `trees`: those of
-/// build_trees() of the model.
+/// Builds the constants of the support of a model alone, as one subsystem on its base: `ballasts`
+/// are its hubs by rotor, and its axles do not turn. Nothing of the rotors acts on it. `trees`:
+/// those of build_trees() of the model.
 System<Space> make_support_alone(const spatial::Model& model,
-                                 const std::vector<spatial::Tree>& trees, const Ballast& ballast,
+                                 const std::vector<spatial::Tree>& trees,
+                                 const std::vector<Ballast>& ballasts,
                                  const solid::Control& control = {});
-
-/// Returns a model without its support: on an axle that nothing moves.
-spatial::Model without_support(const spatial::Model& model);
 
 /// Returns the bodies of a support from its base to the hub of a rotor.
 std::vector<int> find_path(const System<Space>& system, const SupportedRotor& rotor);

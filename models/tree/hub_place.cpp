@@ -7,10 +7,10 @@
 
 namespace spoke::spatial {
 
-Eigen::Vector3d find_hub_place(const Model& model) {
+Eigen::Vector3d find_hub_place(const Model& model, int rotor) {
   if (!model.support) return Eigen::Vector3d::Zero();
   const Tree support = build_trees(model).back();
-  const Eigen::Vector3d from_base = calc_placements(support)[find_hub(support, 0)].position;
+  const Eigen::Vector3d from_base = calc_placements(support)[find_hub(support, rotor)].position;
   if (model.support->from == SupportBase::ground) return from_base;
   const Fuselage& fuselage = model.support->fuselage;
   return fuselage.position + space::exponential(fuselage.attitude).axes * from_base;

@@ -65,6 +65,31 @@ BladeEquilibrium describe_subsystem(std::size_t subsystem, const Equilibrium& fo
   return described;
 }
 
+/// Adds what air does to a subsystem to what it does to its rotor.
+void add(const SubsystemAir& air, std::optional<RotorAir>& rotor) {
+  if (!rotor) rotor.emplace();
+  rotor->wind = air.wind;
+  rotor->thrust += air.thrust;
+  rotor->torque += air.torque;
+}
+
+HubPlace place_hub(std::size_t r, const SupportedModel& machine) {
+  const NodePlace hub = machine.hub_place(r);
+  return {hub.p, hub.axes};
+}
+
+std::vector<RotorEquilibrium> describe_rotors(const Equilibrium& found,
+                                              const SupportedModel& machine) {
+  std::vector<RotorEquilibrium> rotors;
+  for (std::size_t r = 0; r < machine.rotors(); ++r) {
+    const RotorParts& parts = machine.parts(r);
+    const HubVector& wrench = found.wrenches[r];
+    rotors.push_back({parts.name, plain_zero(parts.speed), place_hub(r, machine), wrench.head<3>(),
+                      wrench.tail<3>(), std::nullopt});
+  }
+  return rotors;
+}
+
 }  // namespace
 
 EquilibriumResult describe(const Equilibrium& found, SteadyModel& model) {
@@ -81,19 +106,17 @@ EquilibriumResult describe(const Equilibrium& found, SteadyModel& model) {
     result.hub_force.head<2>() = found.wrench.head<2>();
     result.hub_moment.z() = found.wrench[2];
   }
+  const SupportedModel* machine = model.on_support();
+  if (machine && machine->rotors() > 1) result.rotors = describe_rotors(found, *machine);
   for (std::size_t i = 0; i < model.subsystems(); ++i) {
-    result.blades.push_back(describe_subsystem(i, found, model));
+    BladeEquilibrium& own = result.blades.emplace_back(describe_subsystem(i, found, model));
+    if (machine && !model.stands(i)) own.rotor = static_cast<int>(machine->rotor_of(i));
     const std::optional<SubsystemAir> air = model.air(i);
     if (!air) continue;
-    if (!result.air) result.air.emplace();
-    result.air->wind = air->wind;
-    result.air->thrust += air->thrust;
-    result.air->torque += air->torque;
+    if (own.rotor == 0) add(*air, result.air);
+    if (!result.rotors.empty()) add(*air, result.rotors[static_cast<std::size_t>(own.rotor)].air);
   }
-  if (const SupportedModel* machine = model.on_support()) {
-    const NodePlace hub = machine->hub_place();
-    result.hub = HubPlace{hub.p, hub.axes};
-  }
+  if (machine) result.hub = place_hub(0, *machine);
   return result;
 }
 

@@ -19,6 +19,8 @@ struct Equilibrium {
   std::vector<std::vector<Eigen::Index>> rows{};
   std::vector<std::size_t> alike;  ///< by subsystem: the first one that is like it
   HubVector wrench;                ///< of support and drive on the hub, hub frame [N, N m]
+  /// Of rotors on a support: the wrench of each hub, that of the first again.
+  std::vector<HubVector> wrenches{};
   double force_scale = 0.0;  ///< sum of the forces of subsystems, to judge remainders by [N, N m]
   int iterations = 0;        ///< of Newton's method, for all subsystems and load steps
   int load_steps = 0;        ///< 1: all loads were applied at once

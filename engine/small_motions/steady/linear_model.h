@@ -48,19 +48,21 @@ struct HubCoupling {
   Eigen::MatrixXd following{};
 };
 
-/// A support that moves the hub of a rotor: small motions z of its base, if that is free, of its
-/// independent coordinates, and of the axle, if that turns freely.
+/// A support that moves the hubs of rotors: small motions z of its base, if that is free, of its
+/// independent coordinates, and of the axles that turn freely.
 struct LinearSupport {
-  /// By it z moves the hub, x = J z, along the axes that the hub has at azimuth zero but which
-  /// stand.
+  /// By it z moves the hubs, x = J z, each along the axes that it has at azimuth zero but which
+  /// stand: six rows by rotor.
   Eigen::MatrixXd J{};
-  Eigen::MatrixXd M{}, C{}, K{};  ///< of the support alone, on which the steady wrench acts
-  Eigen::MatrixXd rotor_mass{};   ///< of the rotor as a rigid body, along the hub's axes
+  Eigen::MatrixXd M{}, C{}, K{};  ///< of the support alone, on which the steady wrenches act
+  Eigen::MatrixXd rotor_mass{};   ///< of the rotors as rigid bodies, along the hubs' axes
   Eigen::MatrixXd base{};         ///< by which z moves the base, a twist
   Eigen::MatrixXd motion{};       ///< by which z moves all coordinates of the support
   Eigen::VectorXd step{};         ///< by which each of z was moved [m, rad]
-  /// Along which the torque of a drive acts, that of the axle or of its generator; zero if a drive
-  /// prescribes the motion.
+  /// By rotor: its axle's entry of z; none: the axle does not turn freely.
+  std::vector<std::optional<Eigen::Index>> axles{};
+  /// Along which the torque of the first rotor's drive acts, that of the axle or of its generator;
+  /// zero if a drive prescribes the motion.
   Eigen::VectorXd drive{};
   std::vector<std::string> of{};     ///< by entry of z: the body, or the joint, that it moves
   std::vector<std::string> names{};  ///< of the entries: "support / tower / node 3 / w"
@@ -69,7 +71,7 @@ struct LinearSupport {
 
 /// The matrices of a model. Subsystems meet at the hub only, whose free coordinates are small
 /// motions in its steady frame: places and rotations. There are none where support and drive
-/// prescribe its motion.
+/// prescribe its motion. Of several rotors on a support the hubs' coordinates follow one another.
 struct LinearModel {
   Eigen::MatrixXd M, C, K;  ///< of the hub's free coordinates
   std::vector<LinearSubsystem> subsystems;

@@ -112,7 +112,7 @@ std::unique_ptr<SteadyModel> make_like(const SteadyModel& model, const Scenario&
       scenario, {.speed = model.speed(), .is_whole = azimuth.has_value(), .has_outputs = true});
   if (SupportedModel* machine = made->on_support()) {
     machine->stand_like(*model.on_support());
-    if (azimuth) machine->turn_rotor(*azimuth);
+    if (azimuth) machine->turn_rotors(*azimuth);
   } else if (azimuth) {
     made->move_hub(*azimuth, 0.0, 0.0);
   }

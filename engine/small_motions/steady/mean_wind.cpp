@@ -16,7 +16,7 @@ bool has_changing_wind(const Scenario& scenario) {
   return !(wind == uniform);
 }
 
-Scenario in_mean_wind(const Scenario& scenario, Instant instant, WindPlaces places) {
+Scenario in_mean_wind(const Scenario& scenario, Instant instant, WindPlaces places, int rotor) {
   assert(has_changing_wind(scenario));
   Wind wind = scenario.space->air->wind;
   if (wind.speed && instant == Instant::end) wind.speed = Curve(wind.speed->values().back());
@@ -28,7 +28,7 @@ Scenario in_mean_wind(const Scenario& scenario, Instant instant, WindPlaces plac
   Scenario calm = scenario;
   calm.space->air->wind = Wind{};
   const auto field = make_wind(wind);
-  calm.space->air->wind.velocity = field->mean(spatial::find_hub_place(*scenario.space));
+  calm.space->air->wind.velocity = field->mean(spatial::find_hub_place(*scenario.space, rotor));
   if (places == WindPlaces::all)
     calm.space->air->wind = {
         .by_program = true, .field = make_wind_field([field](const Eigen::Vector3d& place, double) {

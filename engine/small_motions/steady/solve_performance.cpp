@@ -241,6 +241,8 @@ void require(bool holds, const char* what) {
 void check(const Scenario& scenario, const PerformanceOptions& options) {
   require(scenario.space && scenario.space->air,
           "air: is missing, expected [air] with the aerodynamics of blades");
+  steady::require_one_rotor(
+      scenario, "performance is that of one rotor in the wind; static and runs have several");
   require(scenario.space->hub.support == HubSupport::axle,
           "hub.support: the hub is free, expected an axle: nothing holds the rotor");
   const bool is_map = !options.tip_speed_ratio.empty();

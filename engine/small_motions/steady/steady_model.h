@@ -156,6 +156,15 @@ struct SteadyOptions {
   bool has_outputs = false;  ///< whether the scenario's sensors are to be read
   /// Whether it is a support without its rotor: what follows from accelerations is then not known.
   bool is_support = false;
+  /// Of further rotors on a support, by number from 1; those beyond the end stand [rad/s].
+  std::vector<double> further_speeds{};
+
+  /// Returns the speed of a rotor.
+  double speed_of(int rotor) const {
+    if (rotor == 0) return speed;
+    const auto further = static_cast<std::size_t>(rotor) - 1;
+    return further < further_speeds.size() ? further_speeds[further] : 0.0;
+  }
 };
 
 class SupportedModel;
@@ -201,7 +210,12 @@ class SteadyModel {
   virtual bool is_hub_free() const = 0;
   /// Whether the drive's torque follows from the balance alone, so that it holds the speed.
   virtual bool has_torque_drive() const = 0;
+  /// Returns the speed of the hub, of several on a support that of the first.
   double speed() const { return speed_; }
+  /// Returns the speed of the hub that carries a subsystem; of a support that of the first one.
+  virtual double speed_of(std::size_t) const { return speed_; }
+  /// Whether any hub turns.
+  virtual bool turns() const { return speed_ != 0.0; }
 
   /// Sets the share of loads, gravity and the speed's square, from 0 to 1.
   virtual void set_share(double share) = 0;

@@ -29,12 +29,42 @@ std::optional<double> speed_of(const spatial::Hub& hub) {
   return std::visit(FinalSpeed{}, hub.drive);
 }
 
+void require_speed(double speed) {
+  if (const std::string expected = kSpeed.expectation_instead_of(speed); !expected.empty())
+    throw InputError("the speed is " + spoke::describe(speed) + ", expected " + expected);
+}
+
+/// Returns the names of all rotors, each in quotes.
+std::string list_rotors(const spatial::Model& model) {
+  std::string list;
+  for (int r = 0; r < count_rotors(model); ++r)
+    list += (r == 0 ? "\"" : ", \"") + hub_of(model, r).name + '"';
+  return list;
+}
+
+/// Throws unless each speed that is asked for by name is of a rotor that has none besides.
+void require_rotors(const Scenario& scenario, const SteadyState& asked) {
+  for (const auto& [name, speed] : asked.speeds) {
+    require_speed(speed);
+    if (!scenario.space || scenario.space->rotors.empty())
+      throw InputError("a speed is for the rotor \"" + name +
+                       "\", expected no name: the model has one rotor");
+    const spatial::Model& model = *scenario.space;
+    bool is_there = false;
+    for (int r = 0; r < count_rotors(model); ++r) is_there |= hub_of(model, r).name == name;
+    if (!is_there)
+      throw InputError("a speed is for the rotor \"" + name + "\", expected one of " +
+                       list_rotors(model));
+    if (asked.speed && model.hub.name == name)
+      throw InputError("a speed without a name and one for \"" + name +
+                       "\" are given, expected only one of them: both are of the first rotor");
+  }
+}
+
 }  // namespace
 
 double find_steady_speed(const Scenario& scenario, std::optional<double> asked) {
-  if (asked)
-    if (const std::string expected = kSpeed.expectation_instead_of(*asked); !expected.empty())
-      throw InputError("the speed is " + spoke::describe(*asked) + ", expected " + expected);
+  if (asked) require_speed(*asked);
   if (asked) return *asked;
   const std::optional<double> speed = scenario.space
                                           ? speed_of(scenario.space->hub)
@@ -44,6 +74,55 @@ double find_steady_speed(const Scenario& scenario, std::optional<double> asked) 
         "hub.drive: a torque has no steady speed by itself, expected a speed to be given "
         "(--speed)");
   return *speed;
+}
+
+std::vector<double> find_steady_speeds(const Scenario& scenario, const SteadyState& asked) {
+  require_rotors(scenario, asked);
+  const auto named = [&](const std::string& name) {
+    const auto found = asked.speeds.find(name);
+    return found == asked.speeds.end() ? std::nullopt : std::optional(found->second);
+  };
+  const bool has_name = scenario.space && !scenario.space->rotors.empty() && !asked.speed;
+  std::vector<double> speeds{
+      find_steady_speed(scenario, has_name ? named(scenario.space->hub.name) : asked.speed)};
+  if (!scenario.space) return speeds;
+  for (const spatial::Rotor& rotor : scenario.space->rotors) {
+    std::optional<double> speed = named(rotor.hub.name);
+    if (!speed) speed = speed_of(rotor.hub);
+    if (!speed)
+      throw InputError("the drive of the rotor \"" + rotor.hub.name +
+                       "\": a torque has no steady speed by itself, expected a speed to be given "
+                       "(--speed " +
+                       rotor.hub.name + "=VALUE)");
+    speeds.push_back(*speed);
+  }
+  return speeds;
+}
+
+SteadyState scale_steady_speeds(const Scenario& scenario, double first) {
+  SteadyState state{.speed = first};
+  if (!scenario.space || scenario.space->rotors.empty()) return state;
+  const std::vector<double> own = find_steady_speeds(scenario, {});
+  if (own.front() == 0.0)
+    throw InputError("the drive of the rotor \"" + scenario.space->hub.name +
+                     "\" lets it stand, expected one that turns: all rotors turn faster and slower "
+                     "by the ratios of their drives' speeds");
+  for (std::size_t r = 1; r < own.size(); ++r)
+    state.speeds[scenario.space->rotors[r - 1].hub.name] = first * (own[r] / own.front());
+  return state;
+}
+
+void require_one_rotor(const Scenario& scenario, const std::string& why) {
+  if (!scenario.space || scenario.space->rotors.empty()) return;
+  throw InputError("rotor: there are " + std::to_string(count_rotors(*scenario.space)) +
+                   ", expected one: " + why);
+}
+
+SteadyOptions at_speeds(const std::vector<double>& speeds, const SteadyOptions& others) {
+  SteadyOptions options = others;
+  options.speed = speeds.front();
+  options.further_speeds.assign(speeds.begin() + 1, speeds.end());
+  return options;
 }
 
 }  // namespace spoke::steady

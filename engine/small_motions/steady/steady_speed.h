@@ -1,16 +1,35 @@
 #pragma once
 
-// The speed at which a scenario's model turns steadily.
+// The speeds at which the rotors of a scenario's model turn steadily.
 
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "engine/equilibrium.h"
+#include "engine/small_motions/steady/steady_model.h"
 #include "models/scenario.h"
 
 namespace spoke::steady {
 
 /// Returns the speed that was asked for, else the one that the drive leads to and holds, else, for
-/// a hub without a drive, the one at the start [rad/s]. Throws InputError if it is not finite, or
-/// if there is none: a torque has no steady speed by itself.
+/// a hub without a drive, the one at the start [rad/s]. Of several rotors that of the first. Throws
+/// InputError if it is not finite, or if there is none: a torque has no steady speed by itself.
 double find_steady_speed(const Scenario& scenario, std::optional<double> asked);
+
+/// Returns the speeds of all rotors in their order, see find_steady_speed(). Throws InputError also
+/// if a speed is for a rotor that there is not, or the first one has two.
+std::vector<double> find_steady_speeds(const Scenario& scenario, const SteadyState& asked);
+
+/// Returns a state in which the first rotor turns at `first`, and the others by the ratios of the
+/// speeds that their drives lead to. Throws InputError, also if the first rotor's drive lets it
+/// stand while there are others.
+SteadyState scale_steady_speeds(const Scenario& scenario, double first);
+
+/// Throws InputError if a scenario has several rotors. `why`: what the message says of it.
+void require_one_rotor(const Scenario& scenario, const std::string& why);
+
+/// Returns the options of a steady model in which the rotors have these speeds.
+SteadyOptions at_speeds(const std::vector<double>& speeds, const SteadyOptions& others = {});
 
 }  // namespace spoke::steady

@@ -2,8 +2,8 @@
 
 #include "engine/small_motions/steady/steady_start.h"
 
+#include <algorithm>
 #include <string>
-#include <utility>
 
 #include "engine/small_motions/steady/find_equilibrium.h"
 #include "engine/small_motions/steady/supported_model.h"
@@ -14,37 +14,53 @@ namespace spoke::steady {
 
 namespace {
 
-/// Twists the shaft of a drive train by the moment of the rotor [N m]: a generator that no drive
-/// holds is turned back, else the axle, the last coordinate, ahead.
-void twist_shaft(const spatial::DriveTrain& train, double moment,
-                 const std::vector<SubsystemCoordinate>& coordinates, Eigen::VectorXd& support) {
-  const double twist = moment / train.stiffness;
-  for (std::size_t k = 0; k < coordinates.size(); ++k)
-    if (coordinates[k].joint == spatial::kGeneratorName) {
-      support[static_cast<Eigen::Index>(k)] -= train.gear_ratio * twist;
-      return;
-    }
-  support[support.size() - 1] += twist;
+/// Adds the axle of a rotor that turns freely, which begins at azimuth zero, to the coordinates of
+/// its support: behind those of the bodies before its hub. `moment`: of the rotor about its axle,
+/// which twists the shaft of a drive train: a generator that no drive holds is turned back, else
+/// the axle ahead [N m].
+void add_axle(const RotorParts& rotor, double moment,
+              const std::vector<SubsystemCoordinate>& coordinates, Eigen::Index added,
+              Eigen::VectorXd& support) {
+  const auto is_before = [&](const SubsystemCoordinate& at) { return at.body < rotor.body; };
+  const Eigen::Index axle =
+      std::count_if(coordinates.begin(), coordinates.end(), is_before) + added;
+  const Eigen::VectorXd behind = support.tail(support.size() - axle);
+  support.conservativeResize(support.size() + 1);
+  support[axle] = 0.0;
+  support.tail(behind.size()) = behind;
+  if (!rotor.train) return;
+  const double twist = moment / rotor.train->stiffness;
+  const std::string name = rotor.prefix + std::string(spatial::kGeneratorName);
+  const auto generator = std::find_if(
+      coordinates.begin(), coordinates.end(),
+      [&name](const SubsystemCoordinate& coordinate) { return coordinate.joint == name; });
+  if (generator == coordinates.end())
+    support[axle] += twist;
+  else
+    support[generator - coordinates.begin() + added] -= rotor.train->gear_ratio * twist;
+}
+
+/// Adds the axles of all rotors that turn freely, in the order of their hubs.
+void add_axles(const Equilibrium& found, const SupportedModel& machine, Eigen::VectorXd& support) {
+  Eigen::Index added = 0;
+  for (std::size_t r = 0; r < machine.rotors(); ++r)
+    if (machine.parts(r).turns_freely)
+      add_axle(machine.parts(r), -found.wrenches[r][5],
+               machine.coordinates(machine.support_index()), added++, support);
 }
 
 std::vector<Eigen::VectorXd> solve_start(const Scenario& scenario) {
+  const std::vector<double> speeds = start_speeds(scenario);
   const std::unique_ptr<SteadyModel> model =
-      make_steady_model(scenario, {start_speed(scenario), Instant::start});
+      make_steady_model(scenario, {.speed = speeds.front(),
+                                   .instant = Instant::start,
+                                   .further_speeds = {speeds.begin() + 1, speeds.end()}});
   const Equilibrium found = find_machine_equilibrium(*model);
   require_held(found);
   if (model->is_hub_free() || model->on_support()) require_steady_machine(*model, found);
   std::vector<Eigen::VectorXd> q;
   for (std::size_t i = 0; i < model->subsystems(); ++i) q.push_back(model->absolute(i, found.q[i]));
-  // A rotor begins at azimuth zero, the last coordinate of its support.
-  if (const SupportedModel* machine = model->on_support();
-      machine && machine->parts().turns_freely) {
-    Eigen::VectorXd& support = q.back();
-    support.conservativeResize(support.size() + 1);
-    support[support.size() - 1] = 0.0;
-    if (machine->parts().train)
-      twist_shaft(*machine->parts().train, -found.wrench[5], model->coordinates(q.size() - 1),
-                  support);
-  }
+  if (const SupportedModel* machine = model->on_support()) add_axles(found, *machine, q.back());
   return q;
 }
 

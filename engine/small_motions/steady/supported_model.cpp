@@ -1,8 +1,9 @@
-// Joins a rotor and its support, and finds the equilibrium of both.
+// Joins rotors and their support, and finds the equilibrium of all.
 
 #include "engine/small_motions/steady/supported_model.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -41,56 +42,94 @@ void evaluate_initial(SteadyModel& support) {
 
 }  // namespace
 
-SupportedModel::SupportedModel(SupportedParts parts, double speed) : parts_(std::move(parts)) {
-  speed_ = speed;
-  support_ = parts_.support(HubVector::Zero(6));
+SupportedModel::SupportedModel(SupportedParts parts) : parts_(std::move(parts)) {
+  speed_ = parts_.rotors.front().speed;
+  std::size_t count = 0;
+  for (const RotorParts& rotor : parts_.rotors) count += rotor.subsystems.size();
+  places_.resize(count);
+  for (std::size_t r = 0; r < rotors(); ++r)
+    for (std::size_t own = 0; own < parts_.rotors[r].subsystems.size(); ++own)
+      places_[parts_.rotors[r].subsystems[own]] = {r, own};
+  support_ = parts_.support(std::vector<HubVector>(rotors(), HubVector::Zero(6)));
   evaluate_initial(*support_);
-  move_rotor(hub_place().axes);
-  other_sensors_ = rotor_->other_sensors();
-  const std::vector<std::string>& more = support_->other_sensors();
-  other_sensors_.insert(other_sensors_.end(), more.begin(), more.end());
+  rotors_.resize(rotors());
+  axes_.resize(rotors());
+  wrenches_.assign(rotors(), HubVector::Zero(6));
+  const auto add = [this](const std::vector<std::string>& more) {
+    other_sensors_.insert(other_sensors_.end(), more.begin(), more.end());
+  };
+  for (std::size_t r = 0; r < rotors(); ++r) {
+    move_rotor(r, hub_place(r).axes);
+    add(rotor(r).other_sensors());
+  }
+  add(support_->other_sensors());
 }
 
-NodePlace SupportedModel::hub_place() const { return support_->places(0).back(); }
-
-std::unique_ptr<SteadyModel> SupportedModel::move_rotor(const Matrix3d& axes) {
-  axes_ = parts_.base * axes;
-  return std::exchange(rotor_, parts_.rotor(axes_, DeadLoads::steady));
+bool SupportedModel::turns() const {
+  return std::any_of(parts_.rotors.begin(), parts_.rotors.end(),
+                     [](const RotorParts& rotor) { return rotor.speed != 0.0; });
 }
 
-std::unique_ptr<SteadyModel> SupportedModel::load_support(const HubVector& wrench) {
-  wrench_ = turn_parts(axes_, wrench);
-  return std::exchange(support_, parts_.support(wrench_));
+std::string SupportedModel::name_rotors(const std::vector<double>& motions) const {
+  constexpr double kAlike = 0.5;  // of the largest
+  if (rotors() == 1 || motions.empty()) return {};
+  const double most = *std::max_element(motions.begin(), motions.end());
+  std::string names;
+  for (std::size_t r = 0; r < motions.size(); ++r)
+    if (motions[r] > 0.0 && motions[r] >= kAlike * most)
+      names += (names.empty() ? "" : " + ") + parts(r).name;
+  return names.empty() ? names : names + ": ";
+}
+
+NodePlace SupportedModel::hub_place(std::size_t r) const {
+  const std::vector<NodePlace> places = support_->places(0);
+  const auto hub = std::find_if(places.begin(), places.end(), [&](const NodePlace& place) {
+    return place.body == parts(r).body;
+  });
+  assert(hub != places.end());
+  return *hub;
+}
+
+std::unique_ptr<SteadyModel> SupportedModel::move_rotor(std::size_t r, const Matrix3d& axes) {
+  axes_[r] = parts_.base * axes;
+  return std::exchange(rotors_[r], parts(r).make(axes_[r], DeadLoads::steady));
+}
+
+std::unique_ptr<SteadyModel> SupportedModel::load_support(const std::vector<HubVector>& wrenches) {
+  for (std::size_t r = 0; r < rotors(); ++r) wrenches_[r] = turn_parts(axes_[r], wrenches[r]);
+  return std::exchange(support_, parts_.support(wrenches_));
 }
 
 void SupportedModel::stand_like(const SupportedModel& other) {
   axes_ = other.axes_;
-  wrench_ = other.wrench_;
-  rotor_ = parts_.rotor(axes_, DeadLoads::steady);
-  support_ = parts_.support(wrench_);
+  wrenches_ = other.wrenches_;
+  for (std::size_t r = 0; r < rotors(); ++r)
+    rotors_[r] = parts(r).make(axes_[r], DeadLoads::steady);
+  support_ = parts_.support(wrenches_);
 }
 
-void SupportedModel::turn_rotor(double azimuth) {
+void SupportedModel::turn_rotors(double azimuth) {
   const Eigen::AngleAxisd about(azimuth, Eigen::Vector3d::UnitZ());
-  rotor_ = parts_.rotor(axes_ * about.matrix(), DeadLoads::all);
+  for (std::size_t r = 0; r < rotors(); ++r)
+    rotors_[r] = parts(r).make(axes_[r] * about.matrix(), DeadLoads::all);
 }
 
 void SupportedModel::set_share(double share) {
-  rotor_->set_share(share);
+  for (const auto& rotor : rotors_) rotor->set_share(share);
   support_->set_share(share);
 }
 
-HubVector SupportedModel::mean_wrench(const Equilibrium& equilibrium, const HubVector& turn,
-                                      DeadLoads loads) const {
+HubVector SupportedModel::mean_wrench(std::size_t r, const Equilibrium& equilibrium,
+                                      const HubVector& turn, DeadLoads loads) const {
   HubVector mean = HubVector::Zero(6);
   // What turns with the rotor, or once against it, is opposite at opposite azimuths.
   const std::vector<double> azimuths =
-      parts_.averages ? std::vector<double>{0.0, std::numbers::pi} : std::vector<double>{0.0};
+      parts(r).averages ? std::vector<double>{0.0, std::numbers::pi} : std::vector<double>{0.0};
   for (const double azimuth : azimuths) {
     const Matrix3d about = Eigen::AngleAxisd(azimuth, Eigen::Vector3d::UnitZ()).matrix();
-    const std::unique_ptr<SteadyModel> model = parts_.rotor(axes_ * about, loads);
+    const std::unique_ptr<SteadyModel> model = parts(r).make(axes_[r] * about, loads);
     for (std::size_t i = 0; i < model->subsystems(); ++i)
-      model->settle_at(i, rotor_->absolute(i, equilibrium.q[i]));
+      model->settle_at(i, rotor(r).absolute(i, equilibrium.q[i]));
     HubOffset offset = model->no_offset();
     offset.turn = turn_parts(about.transpose(), turn);
     const Matrix3d turned = space::exponential(Eigen::Vector3d(turn.tail<3>())).axes * about;
@@ -100,37 +139,74 @@ HubVector SupportedModel::mean_wrench(const Equilibrium& equilibrium, const HubV
   return mean;
 }
 
+namespace {
+
+/// Returns the equilibrium of some subsystems of one of all.
+Equilibrium choose(const Equilibrium& all, const std::vector<std::size_t>& subsystems) {
+  Equilibrium own = all;
+  own.q.clear();
+  own.multipliers.clear();
+  own.rows.clear();
+  own.alike.clear();
+  for (const std::size_t i : subsystems) {
+    own.q.push_back(all.q[i]);
+    own.multipliers.push_back(all.multipliers[i]);
+    own.rows.push_back(all.rows[i]);
+    const auto first = std::find(subsystems.begin(), subsystems.end(), all.alike[i]);
+    own.alike.push_back(static_cast<std::size_t>(first - subsystems.begin()));
+  }
+  return own;
+}
+
+/// Puts the equilibrium of some subsystems into one of all.
+void put(const Equilibrium& own, const std::vector<std::size_t>& subsystems, Equilibrium& all) {
+  for (std::size_t k = 0; k < subsystems.size(); ++k) {
+    all.q[subsystems[k]] = own.q[k];
+    all.multipliers[subsystems[k]] = own.multipliers[k];
+    all.rows[subsystems[k]] = own.rows[k];
+    all.alike[subsystems[k]] = subsystems[own.alike[k]];
+  }
+}
+
+}  // namespace
+
 SupportedEquilibrium split(const Equilibrium& all, const SupportedModel& model) {
-  const std::size_t count = model.support_index();
-  assert(all.q.size() == count + 1);
-  SupportedEquilibrium parts{all, all};
-  const auto divide = [count](auto& rotor, auto& support) {
-    support = {rotor[count]};
-    rotor.pop_back();
-  };
-  divide(parts.rotor.q, parts.support.q);
-  divide(parts.rotor.multipliers, parts.support.multipliers);
-  divide(parts.rotor.rows, parts.support.rows);
-  parts.rotor.alike.pop_back();
-  parts.support.alike = {0};
-  parts.rotor.wrench = -sum_forces(parts.rotor, model.rotor().no_offset(), model.rotor());
+  assert(all.q.size() == model.subsystems());
+  SupportedEquilibrium parts;
+  for (std::size_t r = 0; r < model.rotors(); ++r) {
+    const SteadyModel& rotor = model.rotor(r);
+    Equilibrium& own = parts.rotors.emplace_back(choose(all, model.parts(r).subsystems));
+    own.wrench = -sum_forces(own, rotor.no_offset(), model.rotor(r));
+  }
+  parts.support = choose(all, {model.support_index()});
   parts.support.wrench = -sum_forces(parts.support, model.support().no_offset(), model.support());
   return parts;
 }
 
 namespace {
 
-Equilibrium join(const SupportedEquilibrium& parts) {
-  Equilibrium all = parts.rotor;
-  all.q.push_back(parts.support.q[0]);
-  all.multipliers.push_back(parts.support.multipliers[0]);
-  all.rows.push_back(parts.support.rows[0]);
-  all.alike.push_back(all.alike.size());
-  all.iterations += parts.support.iterations;
-  all.load_steps = std::max(all.load_steps, parts.support.load_steps);
-  all.last_change = std::max(all.last_change, parts.support.last_change);
-  all.force_scale += parts.support.force_scale;
-  if (all.loose.empty()) all.loose = parts.support.loose;
+Equilibrium join(const SupportedEquilibrium& parts, const SupportedModel& model) {
+  Equilibrium all = parts.rotors.front();
+  const std::size_t count = model.subsystems();
+  all.wrenches.clear();
+  all.q.resize(count);
+  all.multipliers.resize(count);
+  all.rows.resize(count);
+  all.alike.resize(count);
+  const auto add = [&all](const Equilibrium& more) {
+    all.iterations += more.iterations;
+    all.load_steps = std::max(all.load_steps, more.load_steps);
+    all.last_change = std::max(all.last_change, more.last_change);
+    all.force_scale += more.force_scale;
+    if (all.loose.empty()) all.loose = more.loose;
+  };
+  for (std::size_t r = 0; r < model.rotors(); ++r) {
+    put(parts.rotors[r], model.parts(r).subsystems, all);
+    all.wrenches.push_back(parts.rotors[r].wrench);
+    if (r > 0) add(parts.rotors[r]);
+  }
+  put(parts.support, {model.support_index()}, all);
+  add(parts.support);
   return all;
 }
 
@@ -144,26 +220,37 @@ Equilibrium go_on(const Equilibrium& at, const SteadyModel& before, SteadyModel&
   return result;
 }
 
-/// Turns the wrench of the rotor and the place of the hub into one another until they agree.
+/// Turns the wrenches of the rotors and the places of the hubs into one another until they agree.
 Equilibrium iterate(SupportedEquilibrium parts, SupportedModel& model) {
   constexpr int kMost = 60;
-  constexpr double kSettled = 1e-12;  // change of the hub's axes [rad]
-  Matrix3d axes = model.hub_place().axes;
+  constexpr double kSettled = 1e-12;  // change of a hub's axes [rad]
+  const std::size_t count = model.rotors();
+  std::vector<Matrix3d> axes;
+  for (std::size_t r = 0; r < count; ++r) axes.push_back(model.hub_place(r).axes);
   double change = 0.0;
-  Tangents of_rotor, of_support;
+  std::vector<Tangents> of_rotors(count);
+  Tangents of_support;
   for (int k = 0; k < kMost; ++k) {
-    const std::unique_ptr<SteadyModel> rotor = model.move_rotor(axes);
-    parts.rotor = go_on(parts.rotor, *rotor, model.rotor(), &of_rotor);
-    const HubVector wrench = model.mean_wrench(parts.rotor, HubVector::Zero(6), DeadLoads::all);
-    const std::unique_ptr<SteadyModel> support = model.load_support(wrench);
-    parts.support = go_on(parts.support, *support, model.support(), &of_support);
-    const Matrix3d next = model.hub_place().axes;
-    change = space::logarithm(space::Rotation{next * axes.transpose()}).norm();
-    if (change <= kSettled) {
-      parts.rotor.wrench = -wrench;
-      return join(parts);
+    std::vector<HubVector> wrenches;
+    for (std::size_t r = 0; r < count; ++r) {
+      const std::unique_ptr<SteadyModel> before = model.move_rotor(r, axes[r]);
+      Equilibrium& own = parts.rotors[r];
+      own = go_on(own, *before, model.rotor(r), &of_rotors[r]);
+      wrenches.push_back(model.mean_wrench(r, own, HubVector::Zero(6), DeadLoads::all));
     }
-    axes = next;
+    const std::unique_ptr<SteadyModel> support = model.load_support(wrenches);
+    parts.support = go_on(parts.support, *support, model.support(), &of_support);
+    bool has_settled = true;
+    for (std::size_t r = 0; r < count; ++r) {
+      const Matrix3d next = model.hub_place(r).axes;
+      const double turned = space::logarithm(space::Rotation{next * axes[r].transpose()}).norm();
+      has_settled = has_settled && turned <= kSettled;
+      change = r == 0 ? turned : std::max(change, turned);
+      axes[r] = next;
+    }
+    if (!has_settled) continue;
+    for (std::size_t r = 0; r < count; ++r) parts.rotors[r].wrench = -wrenches[r];
+    return join(parts, model);
   }
   std::ostringstream text;
   text << "no equilibrium found at " << model.speed()
@@ -175,12 +262,14 @@ Equilibrium iterate(SupportedEquilibrium parts, SupportedModel& model) {
 }
 
 /// Throws if a torque acts on a rotor whose axle turns freely.
-void require_free_axle(const SupportedModel& model, const Equilibrium& equilibrium) {
-  if (!model.parts().turns_freely || model.has_torque_drive()) return;
-  const double left = std::abs(equilibrium.wrench[5]);
+void require_free_axle(std::size_t r, const SupportedModel& model, const Equilibrium& equilibrium) {
+  const RotorParts& rotor = model.parts(r);
+  if (!rotor.turns_freely || rotor.has_torque) return;
+  const double left = std::abs(equilibrium.wrenches[r][5]);
   if (left <= 1e-6 * equilibrium.force_scale + 1e-9) return;
   std::ostringstream text;
-  text << "the axle turns freely, and " << left << " N m act on the rotor at " << model.speed()
+  text << "the axle " << (model.rotors() > 1 ? "of \"" + rotor.name + "\" " : "")
+       << "turns freely, and " << left << " N m act on the rotor at " << rotor.speed
        << " rad/s: it has no steady motion there, expected forces that balance";
   throw InputError(text.str());
 }
@@ -188,7 +277,8 @@ void require_free_axle(const SupportedModel& model, const Equilibrium& equilibri
 Equilibrium find_on_support(SupportedModel& model) {
   SupportedEquilibrium parts;
   parts.support = find_equilibrium(model.support());
-  parts.rotor = find_equilibrium(model.rotor());
+  for (std::size_t r = 0; r < model.rotors(); ++r)
+    parts.rotors.push_back(find_equilibrium(model.rotor(r)));
   return iterate(std::move(parts), model);
 }
 
@@ -197,7 +287,8 @@ std::optional<Equilibrium> continue_on_support(const Equilibrium& at, const Supp
   SupportedEquilibrium parts = split(at, before);
   try {
     parts.support = go_on(parts.support, before.support(), model.support());
-    parts.rotor = go_on(parts.rotor, before.rotor(), model.rotor());
+    for (std::size_t r = 0; r < model.rotors(); ++r)
+      parts.rotors[r] = go_on(parts.rotors[r], before.rotor(r), model.rotor(r));
     return iterate(std::move(parts), model);
   } catch (const DivergenceError&) {
     return std::nullopt;
@@ -222,7 +313,7 @@ std::optional<Equilibrium> continue_machine_equilibrium(const Equilibrium& at,
 void require_steady_machine(SteadyModel& model, const Equilibrium& equilibrium) {
   SupportedModel* machine = model.on_support();
   if (!machine) return require_steady_hub(model, equilibrium);
-  require_free_axle(*machine, equilibrium);
+  for (std::size_t r = 0; r < machine->rotors(); ++r) require_free_axle(r, *machine, equilibrium);
   require_steady_hub(machine->support(), split(equilibrium, *machine).support);
 }
 

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "engine/small_motions/steady/at_azimuth.h"
+#include "engine/small_motions/steady/joined_rotors.h"
+#include "engine/small_motions/steady/supported_model.h"
 #include "engine/small_motions/vibration/eigenvalues.h"
 #include "engine/small_motions/vibration/multi_blade.h"
 #include "engine/small_motions/vibration/shaft_names.h"
@@ -30,13 +32,12 @@ struct Fixed {
   const Linearised& all;
   const FixedFrame& frame;
 
-  double speed() const { return frame.axes.speed; }
-  std::size_t first_of(std::size_t pattern) const {
-    return frame.families[frame.patterns[pattern].family].blades[0];
+  const BladeFamily& family_of(std::size_t pattern) const {
+    return frame.families[frame.patterns[pattern].family];
   }
-  bool is_shaft(std::size_t pattern) const {
-    return frame.families[frame.patterns[pattern].family].is_shaft();
-  }
+  double speed(std::size_t pattern) const { return family_of(pattern).speed; }
+  std::size_t first_of(std::size_t pattern) const { return family_of(pattern).blades[0]; }
+  bool is_shaft(std::size_t pattern) const { return family_of(pattern).is_shaft(); }
   /// Returns the motion of the first blade of a pattern that has these coordinates y.
   SubsystemShape shape_of(std::size_t pattern, const VectorXcd& y, const VectorXcd& hub) const {
     const std::size_t i = first_of(pattern);
@@ -101,11 +102,11 @@ PatternMotion describe_pattern(std::size_t k, const Root& root, const Fixed& fix
   const double frequency = std::abs(root.s.imag());
   if (pattern.is_pair)
     return describe_pair(first, root.x.segment(fixed.frame.start(k) + pattern.size, pattern.size),
-                         frequency, pattern.multiple, fixed.speed(), M);
+                         frequency, pattern.multiple, fixed.speed(k), M);
   if (fixed.is_shaft(k)) {
     const VectorXcd z = root.s.imag() < 0.0 ? VectorXcd(first.conjugate()) : first;
     const SubsystemShape shape = fixed.shape_of(k, z, VectorXcd::Zero(fixed.frame.model.M.rows()));
-    return {z, calc_mass(z, M), frequency, 0, false, describe_shaft(shape, fixed.speed()).sense};
+    return {z, calc_mass(z, M), frequency, 0, false, describe_shaft(shape, fixed.speed(k)).sense};
   }
   return {first,     calc_mass(first, M),
           frequency, 0,
@@ -153,15 +154,27 @@ struct Unnumbered {
   std::string own_kind;    ///< the same, or "overdamped ..."
   bool is_of_support = false;
   bool is_of_hub = false;
+  std::string rotors;  ///< that move, of several: "tail: ", "front + rear: "
 };
+
+/// Returns the words before the names of modes of rotors, of several on a support: of those whose
+/// motion is not much less than the largest. `masses`: by rotor, of the pattern that moves most.
+std::string name_rotors(const std::vector<double>& masses, const Linearised& all) {
+  const steady::SupportedModel* machine = all.model.on_support();
+  return machine ? machine->name_rotors(masses) : std::string();
+}
 
 Unnumbered describe(const Root& root, const Fixed& fixed, std::map<std::string, KindNames>& kinds) {
   constexpr double kAlike = 1e-6;
   Unnumbered found;
   const VectorXcd hub = root.x.head(fixed.frame.model.M.rows());
   if (hub.size() > 0) found.of_hub = calc_mass(hub, calc_carried_mass(fixed.frame.model));
+  std::vector<double> masses;
   for (std::size_t k = 0; k < fixed.frame.patterns.size(); ++k) {
     PatternMotion motion = describe_pattern(k, root, fixed);
+    const std::size_t rotor = fixed.family_of(k).rotor;
+    masses.resize(std::max(masses.size(), rotor + 1));
+    masses[rotor] = std::max(masses[rotor], motion.mass);
     if (k > 0 && motion.mass <= found.motion.mass * (1.0 + kAlike)) continue;
     found.motion = std::move(motion);
     found.pattern = k;
@@ -180,15 +193,16 @@ Unnumbered describe(const Root& root, const Fixed& fixed, std::map<std::string, 
     return found;
   }
   const std::size_t i = fixed.first_of(found.pattern);
+  found.rotors = name_rotors(masses, fixed.all);
   const SubsystemShape shape =
       fixed.shape_of(found.pattern, found.motion.y, VectorXcd::Zero(hub.size()));
   if (fixed.is_shaft(found.pattern)) {
-    found.kind = describe_shaft(shape, fixed.speed()).kind;
+    found.kind = describe_shaft(shape, fixed.speed(found.pattern)).kind;
     return found;
   }
-  found.kind =
-      kinds[found.motion.name].name(list_independent(i, fixed.all.linear, fixed.all.model),
-                                    found.motion.y, fixed.all.linear.subsystem(i).M, shape);
+  found.kind = kinds[found.rotors + found.motion.name].name(
+      list_independent(i, fixed.all.linear, fixed.all.model), found.motion.y,
+      fixed.all.linear.subsystem(i).M, shape);
   return found;
 }
 
@@ -205,9 +219,10 @@ std::vector<int> number(const std::vector<Unnumbered>& modes) {
   std::map<std::pair<std::string, std::string>, std::vector<std::size_t>> alike;
   std::map<std::pair<std::string, std::string>, int> creeping;
   for (std::size_t k = 0; k < modes.size(); ++k) {
-    alike[{modes[k].own_kind, modes[k].motion.name}].push_back(k);
+    const std::string& rotors = modes[k].rotors;
+    alike[{rotors + modes[k].own_kind, modes[k].motion.name}].push_back(k);
     if (modes[k].own_kind != modes[k].kind)
-      ++creeping[{modes[k].kind, creeping_pattern(modes[k].motion.name)}];
+      ++creeping[{rotors + modes[k].kind, creeping_pattern(modes[k].motion.name)}];
   }
   std::vector<int> numbers(modes.size());
   for (auto& [name, list] : alike) {
@@ -226,14 +241,16 @@ std::vector<int> number(const std::vector<Unnumbered>& modes) {
 /// frequencies are up to n times the speed from those of the modes.
 std::vector<Root> find_enough(Index wanted, Index size, const FixedFrame& frame) {
   constexpr Index kPartners = 8, kMost = 400;
-  int multiple = 0;
+  double shift = 0.0;
   for (const BladePattern& pattern : frame.patterns)
-    if (pattern.is_pair) multiple = std::max(multiple, pattern.multiple);
+    if (pattern.is_pair)
+      shift =
+          std::max(shift, 2.0 * pattern.multiple * std::abs(frame.families[pattern.family].speed));
   for (Index count = std::min(wanted + kPartners, size);; count = std::min(2 * count, size)) {
     std::vector<Root> roots = find_fixed_roots(frame, count);
     if (roots.empty() || count == size || count > kMost) return roots;
     const Root& last = roots[static_cast<std::size_t>(std::min(wanted, std::ssize(roots))) - 1];
-    const double reach = std::abs(last.s) + 2.0 * multiple * std::abs(frame.axes.speed);
+    const double reach = std::abs(last.s) + shift;
     if (std::abs(roots.back().s) > reach) return roots;
   }
 }
@@ -276,13 +293,15 @@ bool goes_on(const Root& root) {
 /// Throws InputError unless the matrices of shafts, as seen from outside, are constant; at rest
 /// they are.
 void require_round(const std::vector<Eigen::MatrixXd>& turns, const Linearised& all) {
-  const double psi = steady::kElsewhere, speed = all.model.speed();
-  if (speed == 0.0) return;
+  const double psi = steady::kElsewhere;
+  const auto is_shaft = [](const Eigen::MatrixXd& turn) { return turn.size() > 0; };
+  if (!all.model.turns() || std::none_of(turns.begin(), turns.end(), is_shaft)) return;
   LinearModel turned;
   const bool depends = steady::depends_on_azimuth(all.model);
   if (depends) turned = steady::linearize_at(psi, all.equilibrium, all.model);
   for (std::size_t i = 0; i < turns.size(); ++i) {
-    if (turns[i].size() == 0) continue;
+    const double speed = all.model.speed_of(i);
+    if (turns[i].size() == 0 || speed == 0.0) continue;
     const steady::LinearSubsystem& here = all.linear.subsystem(i);
     if (!are_same(with_sizes(stand_shaft(here, turns[i], speed)),
                   stand_shaft_at(psi, depends ? turned.subsystem(i) : here, turns[i], speed),
@@ -297,29 +316,76 @@ void require_round(const std::vector<Eigen::MatrixXd>& turns, const Linearised& 
 /// Returns how shafts turn, by subsystem: of what is not one of three or more that are alike.
 std::vector<Eigen::MatrixXd> find_turns(const Linearised& all) {
   std::vector<Eigen::MatrixXd> turns(all.model.subsystems());
-  bool has_shaft = false;
   for (std::size_t i = 0; i < turns.size(); ++i) {
     if (all.model.stands(i) || find_like(all.linear.alike[i], all.linear.alike).size() > 2)
       continue;
     turns[i] = find_turn(i, all);
-    has_shaft |= turns[i].size() > 0;
   }
-  if (has_shaft) require_round(turns, all);
   return turns;
 }
 
 }  // namespace
 
+namespace {
+
+/// Takes a rotor on a support to multi-blade coordinates. `turns`: of all subsystems.
+FixedFrame see_rotor(std::size_t r, const Linearised& all,
+                     const std::vector<Eigen::MatrixXd>& turns) {
+  const steady::SupportedModel& machine = *all.model.on_support();
+  const steady::RotorParts& rotor = machine.parts(r);
+  std::vector<double> azimuths;
+  std::vector<std::string> names;
+  std::vector<Eigen::MatrixXd> own_turns;
+  for (const std::size_t i : rotor.subsystems) {
+    azimuths.push_back(machine.azimuth(i));
+    names.push_back(machine.name_of(i));
+    own_turns.push_back(turns[i]);
+  }
+  return make_fixed_frame(steady::take_rotor(all.linear, r, rotor.subsystems), azimuths, names,
+                          make_standing_axes(machine.free_components(), true, rotor.speed),
+                          own_turns);
+}
+
+/// Takes all rotors on a support there, each in its own turning frame.
+FixedFrame see_rotors(const steady::SupportedModel& machine, const Linearised& all,
+                      const std::vector<Eigen::MatrixXd>& turns) {
+  std::vector<FixedFrame> rotors;
+  std::vector<std::vector<std::size_t>> subsystems;
+  for (std::size_t r = 0; r < machine.rotors(); ++r) {
+    rotors.push_back(see_rotor(r, all, turns));
+    subsystems.push_back(machine.parts(r).subsystems);
+  }
+  return join(rotors, subsystems);
+}
+
+}  // namespace
+
+bool is_even(std::size_t rotor, const Linearised& all) {
+  std::vector<Eigen::MatrixXd> turns = find_turns(all);
+  for (std::size_t i = 0; i < turns.size(); ++i)
+    if (all.model.stands(i) || all.model.on_support()->rotor_of(i) != rotor) turns[i].resize(0, 0);
+  try {
+    require_round(turns, all);
+    see_rotor(rotor, all, turns);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 FixedFrame see_from_outside(const Linearised& all) {
+  const std::vector<Eigen::MatrixXd> turns = find_turns(all);
+  require_round(turns, all);
+  if (const steady::SupportedModel* machine = all.model.on_support()) {
+    const steady::LinearSupport& support = *all.linear.support;
+    return stand_on(see_rotors(*machine, all, turns), support.J, {support.M, support.C, support.K});
+  }
   std::vector<std::string> names;
   for (std::size_t i = 0; i < all.model.subsystems(); ++i) names.push_back(all.model.name_of(i));
-  FixedFrame rotor = make_fixed_frame(
+  return make_fixed_frame(
       all.linear, all.model.azimuths(), names,
       make_standing_axes(all.model.free_components(), all.model.is_spatial(), all.model.speed()),
-      find_turns(all));
-  if (!all.linear.support) return rotor;
-  const steady::LinearSupport& support = *all.linear.support;
-  return stand_on(rotor, support.J, {support.M, support.C, support.K});
+      turns);
 }
 
 void add_fixed_modes(const ModeCount& count, const Linearised& all, ModesResult& result) {
@@ -351,7 +417,8 @@ void add_fixed_modes(const ModeCount& count, const Linearised& all, ModesResult&
     else if (modes[k].is_of_hub)
       hub.name(mode.kind, mode);
     else
-      mode.name = mode.kind + ' ' + std::to_string(numbers[k]) + of_pattern(modes[k].motion.name);
+      mode.name = modes[k].rotors + mode.kind + ' ' + std::to_string(numbers[k]) +
+                  of_pattern(modes[k].motion.name);
     result.modes.push_back(std::move(mode));
   }
 }

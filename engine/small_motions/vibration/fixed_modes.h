@@ -7,12 +7,15 @@
 
 namespace spoke::vibration {
 
-/// Takes a rotor to multi-blade coordinates, and puts it on its support, if it has one. Throws like
-/// make_fixed_frame().
+/// Takes a rotor, or all of a support, to multi-blade coordinates, and puts them on their support,
+/// if they have one. Throws like make_fixed_frame().
 FixedFrame see_from_outside(const Linearised& all);
 
-/// Adds the lowest modes of a rotor in the frame that stands: `count` of the whole model. Throws
-/// like make_fixed_frame().
+/// Whether a rotor on a support is alike in all directions, so that see_from_outside() takes it.
+bool is_even(std::size_t rotor, const Linearised& all);
+
+/// Adds the lowest modes of one or more rotors in the frame that stands: `count` of the whole
+/// model. Throws like make_fixed_frame().
 void add_fixed_modes(const ModeCount& count, const Linearised& all, ModesResult& result);
 
 }  // namespace spoke::vibration

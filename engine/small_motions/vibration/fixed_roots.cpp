@@ -57,7 +57,7 @@ std::vector<Part> list_parts(const FixedFrame& frame) {
 
 /// Counts motions at zero once that gyroscopic forces pair: x with K x = 0 goes on only if C x is
 /// zero, too. With the skew part A of C in these motions, the vectors of a pair of its eigenvalues
-/// +-i a are conjugate: they are one mode.
+/// +-i a are conjugate: they are one mode. `speed`: the largest of the hubs, not negative [rad/s].
 void pair_standing(const Pencil& pencil, double speed, std::vector<Root>& roots) {
   constexpr double kGyroscopic = 1e-6;  // of the speed
   const auto end =
@@ -70,7 +70,7 @@ void pair_standing(const Pencil& pencil, double speed, std::vector<Root>& roots)
   const MatrixXd G = X.transpose() * pencil.damping(0.0, X);
   const HermitianEigen eigen = solve_hermitian(std::complex<double>(0.0, 0.5) *
                                                (G - G.transpose()).cast<std::complex<double>>());
-  const double least = kGyroscopic * std::abs(speed);
+  const double least = kGyroscopic * speed;
   MatrixXd held = MatrixXd::Identity(count, count);
   std::vector<Root> kept;
   for (Index k = 0; k < count; ++k) {
@@ -98,7 +98,7 @@ std::vector<Root> find_fixed_roots(const FixedFrame& frame, Index count) {
   for (const Part& part : list_parts(frame)) {
     const Pencil pencil(part.model);
     std::vector<Root> own = find_roots(pencil, std::min(count, pencil.size()));
-    pair_standing(pencil, frame.axes.speed, own);
+    pair_standing(pencil, frame.fastest, own);
     const Index h = part.model.M.rows();
     for (const Root& root : own) {
       Root& whole = roots.emplace_back(Root{root.s, Eigen::VectorXcd::Zero(size)});

@@ -76,6 +76,8 @@ std::vector<LinearModel> linearize_parts(const Scenario& scenario, double speed,
     model->settle(i, start.q.back());
   }
   start.wrench = steady::HubVector::Zero(model->twist_size());
+  if (const steady::SupportedModel* machine = model->on_support())
+    start.wrenches.assign(machine->rotors(), start.wrench);
   LinearModel linear = steady::linearize_machine(start, *model);
   // What turns is seen as it stands: that moves frequencies by the speed at most.
   if (linear.support) steady::stand_on(*linear.support, linear);

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "engine/small_motions/steady/supported_model.h"
 #include "engine/support/dense.h"
 
 namespace spoke::vibration {
@@ -59,6 +60,10 @@ void normalise(Mode& mode) {
     for (Eigen::VectorXcd& q : solids) q /= largest;
   mode.hub_displacement /= largest;
   mode.hub_rotation /= largest;
+  for (HubShape& hub : mode.hubs) {
+    hub.displacement /= largest;
+    hub.rotation /= largest;
+  }
 }
 
 Eigen::Index find_count(const ModeCount& count, Eigen::Index size, const std::string& of,
@@ -82,6 +87,10 @@ void set_hub_motion(const Eigen::VectorXcd& x, const Linearised& all, Mode& mode
     else
       mode.hub_rotation[all.model.is_spatial() ? free[k] - 3 : 2] = value;
   }
+  const steady::SupportedModel* machine = all.model.on_support();
+  if (!machine || machine->rotors() == 1) return;
+  for (Eigen::Index at = 0; at < hub.size(); at += 6)
+    mode.hubs.push_back({hub.segment<3>(at), hub.segment<3>(at + 3)});
 }
 
 void add_shape(std::size_t subsystem, const SubsystemShape& shape, SteadyModel& model, Mode& mode) {
@@ -90,10 +99,12 @@ void add_shape(std::size_t subsystem, const SubsystemShape& shape, SteadyModel& 
   auto& rotations = mode.rotations.emplace_back(shape.rotations);
   mode.solids.push_back(shape.solids);
   if (model.stands(subsystem)) return;
+  const HubShape hub = mode.hubs.empty() ? HubShape{mode.hub_displacement, mode.hub_rotation}
+                                          : mode.hubs[model.on_support()->rotor_of(subsystem)];
   for (std::size_t k = 0; k < places.size(); ++k) {
     const Eigen::Vector3cd p = places[k].p.cast<std::complex<double>>();
-    nodes[k] += mode.hub_displacement + mode.hub_rotation.cross(p);
-    rotations[k] += mode.hub_rotation;
+    nodes[k] += hub.displacement + hub.rotation.cross(p);
+    rotations[k] += hub.rotation;
   }
 }
 

@@ -68,7 +68,8 @@ Mode make_mode(const Root& root);
 bool is_rigid(const Mode& mode);
 /// Scales a mode to a largest displacement of 1.
 void normalise(Mode& mode);
-/// Sets the motion of the hub's frame by its free coordinates, or by those of its support.
+/// Sets the motion of the frame of the hub, or of all, by its free coordinates, or by those of its
+/// support.
 void set_hub_motion(const Eigen::VectorXcd& x, const Linearised& all, Mode& mode);
 /// Adds the shape of a subsystem, which moves with the hub unless it stands.
 void add_shape(std::size_t subsystem, const SubsystemShape& shape, steady::SteadyModel& model,

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/small_motions/steady/joined_rotors.h"
 #include "engine/small_motions/steady/linear_support.h"
 #include "engine/small_motions/vibration/shaft_turn.h"
 #include "models/error.h"
@@ -53,15 +54,16 @@ void require_even(const BladeFamily& family, const std::vector<std::string>& nam
 
 std::vector<BladeFamily> find_families(const LinearModel& model,
                                        const std::vector<double>& azimuths,
-                                       const std::vector<std::string>& names,
+                                       const std::vector<std::string>& names, double speed,
                                        const std::vector<MatrixXd>& turns) {
   std::vector<BladeFamily> families;
   const auto is_shaft = [&](std::size_t i) { return !turns.empty() && turns[i].size() > 0; };
   for (std::size_t first = 0; first < model.alike.size(); ++first) {
-    if (is_shaft(first)) families.push_back({{first}, {azimuths[first]}, turns[first]});
+    if (is_shaft(first)) families.push_back({{first}, {azimuths[first]}, turns[first], speed});
     if (model.alike[first] != first || model.subsystem(first).M.rows() == 0 || is_shaft(first))
       continue;
     BladeFamily& family = families.emplace_back();
+    family.speed = speed;
     for (std::size_t i = first; i < model.alike.size(); ++i)
       if (model.alike[i] == first) family.blades.push_back(i);
     std::stable_sort(family.blades.begin(), family.blades.end(), [&](std::size_t a, std::size_t b) {
@@ -274,14 +276,41 @@ FixedFrame make_fixed_frame(const LinearModel& turning, const std::vector<double
   assert(turns.empty() || turns.size() == turning.alike.size());
   assert(azimuths.size() == turning.alike.size() && names.size() == turning.alike.size());
   FixedFrame frame;
-  frame.axes = axes;
-  frame.families = find_families(turning, azimuths, names, turns);
+  frame.fastest = std::abs(axes.speed);
+  frame.families = find_families(turning, azimuths, names, axes.speed, turns);
   frame.model.rate = turning.rate;
   if (turning.is_coupled()) add_hub(turning, axes, frame.model);
   for (std::size_t k = 0; k < frame.families.size(); ++k)
     frame.families[k].is_shaft() ? add_shaft(k, turning, axes, frame)
                                  : add_family(k, turning, axes, frame);
   return frame;
+}
+
+FixedFrame join(const std::vector<FixedFrame>& rotors,
+                const std::vector<std::vector<std::size_t>>& subsystems) {
+  assert(subsystems.size() == rotors.size());
+  FixedFrame all;
+  std::vector<LinearModel> models;
+  std::vector<std::vector<std::size_t>> numbers;  // of patterns
+  for (std::size_t r = 0; r < rotors.size(); ++r) {
+    const FixedFrame& rotor = rotors[r];
+    models.push_back(rotor.model);
+    numbers.emplace_back();
+    const std::size_t families = all.families.size();
+    for (BladeFamily family : rotor.families) {
+      family.rotor = r;
+      for (std::size_t& blade : family.blades) blade = subsystems[r][blade];
+      all.families.push_back(std::move(family));
+    }
+    for (BladePattern pattern : rotor.patterns) {
+      pattern.family += families;
+      numbers.back().push_back(all.patterns.size());
+      all.patterns.push_back(pattern);
+    }
+    all.fastest = std::max(all.fastest, rotor.fastest);
+  }
+  all.model = steady::join_rotors(models, numbers);
+  return all;
 }
 
 FixedFrame stand_on(const FixedFrame& rotor, const MatrixXd& J, const SecondOrder& support) {

@@ -23,6 +23,8 @@ struct BladeFamily {
   std::vector<std::size_t> blades;  ///< subsystems, by ascending azimuth
   std::vector<double> azimuths;     ///< of these, at azimuth zero of the hub [rad]
   Eigen::MatrixXd turn{};           ///< of a shaft: see find_turn(); empty: it is none
+  double speed = 0.0;               ///< of its hub [rad/s]
+  std::size_t rotor = 0;            ///< that it is of, of several on a support
 
   bool is_shaft() const { return turn.size() > 0; }
 };
@@ -38,14 +40,13 @@ struct BladePattern {
 };
 
 /// A rotor seen from outside: a linear model whose hub has coordinates z along standing axes, and
-/// whose subsystems are the patterns of the blades.
+/// whose subsystems are the patterns of the blades. Of several rotors that follow one another,
+/// hubs by rotor, then all patterns.
 struct FixedFrame {
   steady::LinearModel model;
   std::vector<BladeFamily> families;
   std::vector<BladePattern> patterns;  ///< by subsystem of `model`
-  /// How the first hub coordinates of `model` turn; of a rotor on a support those of the rotor
-  /// alone.
-  StandingAxes axes;
+  double fastest = 0.0;                ///< largest magnitude of the speeds of hubs [rad/s]
 
   /// Returns the first coordinate of a pattern in a vector that begins with those of the hub.
   Eigen::Index start(std::size_t pattern) const;
@@ -68,9 +69,14 @@ FixedFrame make_fixed_frame(const steady::LinearModel& turning, const std::vecto
                             const std::vector<std::string>& names, const StandingAxes& axes,
                             const std::vector<Eigen::MatrixXd>& turns = {});
 
-/// Puts a rotor on something that moves the hub by x = J z and has matrices of its own: hub
-/// coordinates become z, and its matrices support + J^T rotor J. `support`: about the steady state
-/// in which the rotor's steady wrench acts on it, along standing axes.
+/// Joins rotors, each with all components of its hub, so that they follow one another.
+/// `subsystems`: by rotor, the numbers of its subsystems among all.
+FixedFrame join(const std::vector<FixedFrame>& rotors,
+                const std::vector<std::vector<std::size_t>>& subsystems);
+
+/// Puts a rotor, or several, on something that moves the hub by x = J z and has matrices of its
+/// own: hub coordinates become z, and its matrices support + J^T rotor J. `support`: about the
+/// steady state in which the rotor's steady wrench acts on it, along standing axes.
 FixedFrame stand_on(const FixedFrame& rotor, const Eigen::MatrixXd& J, const SecondOrder& support);
 
 /// Returns the `count` roots of least magnitude in ascending order, or all if there are fewer, with

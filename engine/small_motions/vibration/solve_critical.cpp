@@ -48,8 +48,8 @@ constexpr double kAlmostRest = 1e-100;
 
 /// What is varied.
 struct Parameter {
-  std::string load;  ///< empty: the speed
-  double speed = 0.0;
+  std::string load;            ///< empty: the speed
+  std::vector<double> speeds;  ///< of rotors, unless it is varied [rad/s]
 
   bool is_speed() const { return load.empty(); }
   std::string describe(double value) const {
@@ -65,7 +65,7 @@ struct Parameter {
 Parameter read_parameter(const Scenario& scenario, const CriticalOptions& options) {
   const std::string load = "load=";
   if (options.of == "speed") {
-    if (options.state.speed)
+    if (options.state.speed || !options.state.speeds.empty())
       throw InputError("a speed is given, expected none: it is the speed that is varied");
     return {};
   }
@@ -74,7 +74,7 @@ Parameter read_parameter(const Scenario& scenario, const CriticalOptions& option
                      "\", expected \"speed\" or \"load=NAME\"");
   const std::string name = options.of.substr(load.size());
   vibration::require_load(scenario, name);
-  return {name, steady::find_steady_speed(scenario, options.state.speed)};
+  return {name, steady::find_steady_speeds(scenario, options.state)};
 }
 
 void check(const CriticalOptions& options) {
@@ -112,7 +112,9 @@ struct Sample {
 /// matrices but as seen from outside.
 ModeFrame choose_frame(const Scenario& scenario, const Parameter& parameter,
                        std::optional<ModeFrame> asked) {
-  const bool turns = parameter.is_speed() || parameter.speed != 0.0;
+  const auto is_fast = [](double speed) { return speed != 0.0; };
+  const bool turns = parameter.is_speed() ||
+                     std::any_of(parameter.speeds.begin(), parameter.speeds.end(), is_fast);
   if (asked == ModeFrame::floquet)
     throw InputError(
         "the frame is \"floquet\", expected \"turning\" or \"fixed\": a critical value is one of "
@@ -158,12 +160,17 @@ class Search {
 
  private:
   std::unique_ptr<steady::SteadyModel> make_model(double value) const {
-    if (parameter_.is_speed())
+    if (parameter_.is_speed()) {
+      const SteadyState state =
+          steady::scale_steady_speeds(scenario_, value == 0.0 ? kAlmostRest : value);
       return steady::make_steady_model(
-          scenario_, {.speed = value == 0.0 ? kAlmostRest : value, .is_axial = is_outside()});
+          scenario_, steady::at_speeds(steady::find_steady_speeds(scenario_, state),
+                                       {.is_axial = is_outside()}));
+    }
     Scenario loaded = scenario_;
     vibration::multiply_load(parameter_.load, value, loaded);
-    return steady::make_steady_model(loaded, {.speed = parameter_.speed, .is_axial = is_outside()});
+    return steady::make_steady_model(
+        loaded, steady::at_speeds(parameter_.speeds, {.is_axial = is_outside()}));
   }
 
   bool is_outside() const { return frame_ == ModeFrame::fixed; }

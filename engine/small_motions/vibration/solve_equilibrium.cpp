@@ -36,10 +36,10 @@ Stability judge(const ModesResult& found) {
 
 /// Tells whether small motions decay, or why that is not known: they have no constant matrices, or
 /// loops are in a singular position.
-void add_stability(const Scenario& scenario, double speed, const steady::Equilibrium& equilibrium,
+void add_stability(const Scenario& scenario, const steady::Equilibrium& equilibrium,
                    steady::SteadyModel& model, EquilibriumResult& result) {
   const ModeFrame frame =
-      speed == 0.0 ? ModeFrame::turning : vibration::choose_frame(scenario, std::nullopt);
+      model.turns() ? vibration::choose_frame(scenario, std::nullopt) : ModeFrame::turning;
   try {
     steady::refuse_relaxation(scenario);
     steady::LinearModel linear = steady::linearize_machine(equilibrium, model);
@@ -54,14 +54,14 @@ void add_stability(const Scenario& scenario, double speed, const steady::Equilib
 
 EquilibriumResult solve_equilibrium(const Scenario& scenario, const SteadyState& state) {
   check_scenario(scenario);
-  const double speed = steady::find_steady_speed(scenario, state.speed);
-  const std::unique_ptr<steady::SteadyModel> model = steady::make_steady_model(scenario, {speed});
+  const std::unique_ptr<steady::SteadyModel> model = steady::make_steady_model(
+      scenario, steady::at_speeds(steady::find_steady_speeds(scenario, state)));
   if (model->is_hub_free())
     throw InputError("hub.support: the hub is free, expected an axle: nothing holds the model");
   const steady::Equilibrium found = steady::find_machine_equilibrium(*model);
   steady::require_held(found);
   EquilibriumResult result = steady::describe(found, *model);
-  add_stability(scenario, speed, found, *model, result);
+  add_stability(scenario, found, *model, result);
   steady::add_warnings(scenario, result);
   return result;
 }

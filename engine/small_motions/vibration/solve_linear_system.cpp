@@ -30,7 +30,9 @@ LinearSystem solve_linear_system(const Scenario& scenario, const SteadyState& st
                                  std::optional<ModeFrame> asked) {
   check_scenario(scenario);
   steady::refuse_relaxation(scenario);
-  const double speed = steady::find_steady_speed(scenario, state.speed);
+  steady::require_one_rotor(scenario,
+                            "a linear model of several is not built; modes and runs have them");
+  const double speed = steady::find_steady_speeds(scenario, state).front();
   const bool is_fixed = choose_frame(scenario, speed, asked) == ModeFrame::fixed;
   const std::unique_ptr<steady::SteadyModel> model = steady::make_steady_model(
       scenario, {.speed = speed, .is_axial = is_fixed, .has_outputs = true});

@@ -23,6 +23,7 @@
 #include "engine/small_motions/vibration/floquet_modes.h"
 #include "engine/small_motions/vibration/mode_parts.h"
 #include "engine/small_motions/vibration/mode_shapes.h"
+#include "engine/small_motions/vibration/require_period.h"
 #include "engine/small_motions/vibration/support_names.h"
 #include "models/error.h"
 #include "models/reader/scenario_check.h"
@@ -171,9 +172,27 @@ Features list_coupled_features(const Eigen::VectorXcd& x, const Pencil& pencil,
   return features;
 }
 
-Mode make_coupled_mode(const Root& root, const Pencil& pencil, const Linearised& all,
-                       vibration::KindNames& kinds) {
-  Mode mode = make_mode(root);
+/// Returns what is before the name of a mode in which subsystems have these shapes, of several
+/// rotors on a support.
+std::string name_rotors(const std::vector<SubsystemShape>& shapes, const Linearised& all) {
+  const steady::SupportedModel* machine = all.model.on_support();
+  if (!machine) return {};
+  std::vector<double> motions(machine->rotors());
+  for (std::size_t i = 0; i < machine->support_index(); ++i)
+    motions[machine->rotor_of(i)] += shapes[i].total();
+  return machine->name_rotors(motions);
+}
+
+/// A mode, whose name is that of its pattern.
+struct CoupledMode {
+  Mode mode;
+  std::string rotors{};  ///< before its name, see name_rotors()
+};
+
+CoupledMode make_coupled_mode(const Root& root, const Pencil& pencil, const Linearised& all,
+                              vibration::KindNames& kinds) {
+  CoupledMode made{make_mode(root)};
+  Mode& mode = made.mode;
   mode.coordinates = list_motions(pencil, root.x, all);
   mode.of = "all";
   const Eigen::Index h = all.linear.M.rows();
@@ -202,11 +221,11 @@ Mode make_coupled_mode(const Root& root, const Pencil& pencil, const Linearised&
   mode.weighed = energies.weigh(hub, carried);
   if (all.linear.support && vibration::is_of_support(mode.energy)) {
     mode.kind = vibration::name_support_motion(hub, all);
-    return mode;
+    return made;
   }
   if (shapes.empty()) {  // a model of the hub alone
     mode.kind = "hub";
-    return mode;
+    return made;
   }
   const Eigen::VectorXcd x = part_of(most, pencil, root.x, all);
   mode.kind = of_hub > 0.5 && largest < 0.25
@@ -214,7 +233,8 @@ Mode make_coupled_mode(const Root& root, const Pencil& pencil, const Linearised&
                   : kinds.name(vibration::list_independent(most, all.linear, all.model), x,
                                all.linear.subsystem(most).M, shapes[most]);
   mode.name = find_pattern(most, pencil, root.x, all);
-  return mode;
+  if (mode.kind != "hub") made.rotors = name_rotors(shapes, all);
+  return made;
 }
 
 void add_coupled_modes(const ModeCount& count, const Linearised& all, ModesResult& result) {
@@ -229,8 +249,9 @@ void add_coupled_modes(const ModeCount& count, const Linearised& all, ModesResul
   Numbering numbering;
   vibration::KindNames kinds;
   for (const Root& root : roots) {
-    Mode mode = make_coupled_mode(root, pencil, all, kinds);
-    const std::string pattern = mode.name.empty() || mode.kind == "hub" ? "" : mode.name + ' ';
+    auto [mode, rotors] = make_coupled_mode(root, pencil, all, kinds);
+    const std::string pattern =
+        rotors + (mode.name.empty() || mode.kind == "hub" ? "" : mode.name + ' ');
     const std::string kind = vibration::kind_with_damping(mode.kind, root.s, mode.frequency);
     if (kind != mode.kind) numbering.count_root(pattern + mode.kind);
     mode.kind = kind;
@@ -297,7 +318,7 @@ std::string find_refusal(ModeFrame frame, const Linearised& all) {
 
 /// Returns the frame for modes of a model that has none in the frame "fixed".
 ModeFrame choose_other_frame(const Linearised& all) {
-  if (all.model.speed() == 0.0) return ModeFrame::turning;
+  if (!all.model.turns()) return ModeFrame::turning;
   const bool is_constant = !all.linear.support && find_refusal(ModeFrame::turning, all).empty();
   return is_constant ? ModeFrame::turning : ModeFrame::floquet;
 }
@@ -318,10 +339,10 @@ void note_friction(const Scenario& scenario, ModesResult& result) {
 }
 
 /// Finds modes in a frame, or in the usual one: `asked` none.
-ModesResult solve_in(ModeFrame frame, bool is_asked, const Scenario& scenario, double speed,
-                     const ModeCount& count) {
+ModesResult solve_in(ModeFrame frame, bool is_asked, const Scenario& scenario,
+                     const std::vector<double>& speeds, const ModeCount& count) {
   const std::unique_ptr<SteadyModel> model = steady::make_steady_model(
-      scenario, {.speed = speed, .is_axial = frame != ModeFrame::turning});
+      scenario, steady::at_speeds(speeds, {.is_axial = frame != ModeFrame::turning}));
   const Equilibrium equilibrium = steady::find_machine_equilibrium(*model);
   steady::require_steady_machine(*model, equilibrium);
   LinearModel linear = steady::linearize_machine(equilibrium, *model);
@@ -329,26 +350,29 @@ ModesResult solve_in(ModeFrame frame, bool is_asked, const Scenario& scenario, d
     const Linearised all{*model, equilibrium, linear};
     if (const std::string why = find_refusal(frame, all); !why.empty()) {
       const ModeFrame other = choose_other_frame(all);
-      ModesResult result = solve_in(other, true, scenario, speed, count);
+      const std::string reason = why.substr(0, why.find(':'));
+      if (other == ModeFrame::floquet) vibration::require_period(all, reason + "; ");
+      ModesResult result = solve_in(other, true, scenario, speeds, count);
       const std::string frame_used = other == ModeFrame::floquet ? "\"floquet\""
-                                     : speed == 0.0 ? "\"turning\", the model being at rest"
-                                                    : "\"turning\"";
-      result.notes.push_back("modes are in the frame " + frame_used + ": " +
-                             why.substr(0, why.find(':')));
+                                     : model->turns()            ? "\"turning\""
+                                                      : "\"turning\", the model being at rest";
+      result.notes.push_back("modes are in the frame " + frame_used + ": " + reason);
       return result;
     }
   }
   if (linear.support && frame == ModeFrame::turning) {
-    if (speed != 0.0)
+    if (model->turns())
       throw InputError(
           "the frame \"turning\" expects a hub whose support does not move, or a speed of 0: on a "
           "support the frames \"fixed\" and \"floquet\" have modes");
     steady::stand_on(*linear.support, linear);
   }
+  if (frame == ModeFrame::floquet)
+    vibration::require_period({*model, equilibrium, linear}, std::string());
   std::unique_ptr<SteadyModel> whole;
   // Along a motion friction is none of the dampers that it is about rest.
   if (frame == ModeFrame::floquet && !linear.support && !steady::has_friction(scenario))
-    whole = steady::make_steady_model(scenario, {.speed = speed, .is_whole = true});
+    whole = steady::make_steady_model(scenario, steady::at_speeds(speeds, {.is_whole = true}));
   return vibration::make_modes(linear, equilibrium, frame, count, *model, whole.get());
 }
 
@@ -358,9 +382,8 @@ ModesResult vibration::solve_modes(const Scenario& scenario, const SteadyState& 
                                    std::optional<ModeFrame> asked, const ModeCount& count) {
   check_scenario(scenario);
   steady::refuse_relaxation(scenario);
-  const double speed = steady::find_steady_speed(scenario, state.speed);
-  ModesResult result =
-      solve_in(choose_frame(scenario, asked), asked.has_value(), scenario, speed, count);
+  ModesResult result = solve_in(choose_frame(scenario, asked), asked.has_value(), scenario,
+                                steady::find_steady_speeds(scenario, state), count);
   note_still_air(result);
   note_friction(scenario, result);
   steady::add_warnings(scenario, result.equilibrium);

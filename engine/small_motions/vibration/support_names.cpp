@@ -56,19 +56,24 @@ Matrix3d find_directions(const Vector3d& axle) {
 /// along and about the vertical.
 struct Energies {
   std::array<double, 4> directions{};
-  double whirl[2] = {};  ///< of the rotor across its axle, as it goes round with and against it
-  double axle = 0.0;     ///< of the rotor about its axle, besides its carrier
+  double whirl[2] = {};   ///< of rotors that turn, across their axles, as they go round with them
+                          ///< and against them
+  std::string axle;       ///< the one about which a rotor has most, besides its carrier
+  double of_axle = 0.0;   ///< that energy
+  double of_axles = 0.0;  ///< of all rotors about their axles
 
   double sum() const { return directions[0] + directions[1] + directions[2] + directions[3]; }
 };
 
-/// Adds the energies of the rotor as a rigid body.
-void add_rotor(const VectorXcd& z, const Matrix3d& directions, const Linearised& all,
+/// Adds the energies of a rotor as a rigid body.
+void add_rotor(std::size_t r, const VectorXcd& z, const Matrix3d& directions, const Linearised& all,
                Energies& energies) {
   const steady::LinearSupport& support = *all.linear.support;
-  const MatrixXd& mass = support.rotor_mass;
-  const VectorXcd hub = support.J * z;
-  const Matrix3d seen = directions.transpose() * all.model.on_support()->hub_place().axes;
+  const steady::SupportedModel& machine = *all.model.on_support();
+  const auto at = 6 * static_cast<Index>(r);
+  const MatrixXd mass = support.rotor_mass.block<6, 6>(at, at);
+  const VectorXcd hub = support.J.middleRows<6>(at) * z;
+  const Matrix3d seen = directions.transpose() * machine.hub_place(r).axes;
   const Matrix3d inertia = seen * mass.bottomRightCorner<3, 3>() * seen.transpose();
   const Vector3cd moved = seen * hub.head<3>(), turned = seen * hub.tail<3>();
   const auto moves = [&](Index k) { return mass(0, 0) * std::norm(moved[k]); };
@@ -78,12 +83,19 @@ void add_rotor(const VectorXcd& z, const Matrix3d& directions, const Linearised&
   energies.directions[2] += moves(2);
   energies.directions[3] += turns(2);
   constexpr std::complex<double> kI(0.0, 1.0);
+  const double speed = machine.parts(r).speed;
   for (const int against : {0, 1}) {
-    const std::complex<double> i = against ? -kI : kI;
+    if (speed == 0.0) break;
+    const std::complex<double> i = (against == 1) == (speed > 0.0) ? -kI : kI;
     energies.whirl[against] += 0.5 * mass(0, 0) * std::norm(hub[0] + i * hub[1]) +
                                0.5 * mass(3, 3) * std::norm(hub[3] + i * hub[4]);
   }
-  if (support.of.back() == "axle") energies.axle = mass(5, 5) * std::norm(z[z.size() - 1]);
+  if (!support.axles[r]) return;
+  const double of_axle = mass(5, 5) * std::norm(z[*support.axles[r]]);
+  energies.of_axles += of_axle;
+  if (of_axle <= energies.of_axle) return;
+  energies.of_axle = of_axle;
+  energies.axle = machine.parts(r).prefix + "axle";
 }
 
 /// Adds the energies of the support's own bodies.
@@ -101,13 +113,12 @@ void add_support(const VectorXcd& z, const Matrix3d& directions, const Linearise
 }
 
 /// Returns the direction in which a mode moves.
-std::string find_direction(const Energies& energies, double speed) {
+std::string find_direction(const Energies& energies) {
   constexpr double kRound = 0.25;  // largest energy of one sense by that of the other
   const double with = energies.whirl[0], against = energies.whirl[1];
   const bool is_round = std::min(with, against) < kRound * std::max(with, against) &&
                         with + against > 0.5 * energies.sum();
-  if (speed != 0.0 && is_round)
-    return (with > against) == (speed > 0.0) ? "forward whirl" : "backward whirl";
+  if (is_round) return with > against ? "forward whirl" : "backward whirl";
   static constexpr const char* kNames[] = {"fore-aft", "side-side", "vertical", "yaw"};
   const auto& shares = energies.directions;
   return kNames[std::max_element(shares.begin(), shares.end()) - shares.begin()];
@@ -118,14 +129,15 @@ std::string find_direction(const Energies& energies, double speed) {
 std::string name_support_motion(const VectorXcd& z, const Linearised& all) {
   assert(all.linear.support);
   const steady::LinearSupport& support = *all.linear.support;
-  const Matrix3d directions = find_directions(all.model.on_support()->hub_place().axes.col(2));
+  const steady::SupportedModel& machine = *all.model.on_support();
+  const Matrix3d directions = find_directions(machine.hub_place(0).axes.col(2));
   Energies energies;
-  add_rotor(z, directions, all, energies);
-  if (energies.axle > 0.5 * energies.sum()) return "axle";
+  for (std::size_t r = 0; r < machine.rotors(); ++r) add_rotor(r, z, directions, all, energies);
+  if (energies.of_axles > 0.5 * energies.sum()) return energies.axle;
   add_support(z, directions, all, energies);
   std::string part = find_part(z, support.K, support.of);
   if (part.empty()) part = find_part(z, support.M, support.of);
-  return part + ' ' + find_direction(energies, all.model.speed());
+  return part + ' ' + find_direction(energies);
 }
 
 }  // namespace spoke::vibration

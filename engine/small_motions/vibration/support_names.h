@@ -14,7 +14,8 @@ namespace spoke::vibration {
 /// "fore-aft", across it "side-side"; or "vertical", or about the vertical "yaw". Where the axle is
 /// vertical, "fore-aft" is along the x axis of the base. A rotor whose axle goes round, across
 /// itself, has a "forward whirl" with the rotation, or a "backward whirl" against it. Turning about
-/// the axle is "axle". Precondition: all.linear.support.
+/// the axle is "axle", of a further rotor "tail.axle". Of several rotors that of the first one
+/// gives the directions, and each has its own sense. Precondition: all.linear.support.
 std::string name_support_motion(const Eigen::VectorXcd& z, const Linearised& all);
 
 /// Whether most of the energy of a mode is in its support and in what moves with the hub.

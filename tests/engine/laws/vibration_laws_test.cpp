@@ -28,7 +28,7 @@ const std::map<std::string_view, std::string_view> kWithoutModes{
     {"epicyclic_gear", "nothing in it is sprung: its root is zero"},
     {"helicopter_on_gear, blades tied", "a steady state takes subsystems one by one"},
     {"heavy_top", "nothing holds it: all roots are zero"},
-    {"quadcopter", "no frame turns with all of its rotors"},
+    {"quadcopter", "its rotors of two blades have no constant matrices"},
     {"solid_blade_rotor, nodal", "dense matrices of 9072 coordinates take 20 s; it holds"},
     {"tree_of_bodies, in the wind", "wind pushes a hub that is free"},
     {"tree_of_bodies, relaxing", "the linear model has no states of forces"},
@@ -74,6 +74,7 @@ void calm(spatial::Model& model, std::optional<double> speed) {
   if (!std::holds_alternative<FixedDrive>(model.hub.drive))
     model.gravity = axis * axis.dot(model.gravity);
   calm(speed, model.hub.drive);
+  for (spatial::Rotor& rotor : model.rotors) calm(std::nullopt, rotor.hub.drive);
   model.hub.angular_velocity.setZero();
   model.hub_loads.clear();
   for (spatial::PointLoad& load : model.loads) load.factor = Curve(load.factor.values().back());

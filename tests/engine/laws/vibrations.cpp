@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "engine/bodies/kernels/kinematics.h"
 #include "engine/modes.h"
 #include "engine/simulation/simulation_core.h"
 #include "engine/small_motions/steady/linear_support.h"
@@ -35,8 +36,9 @@ bool vibrates(Complex rate) { return std::abs(rate) > 1e-6; }
 /// The linear model of a scenario.
 struct Linear {
   Linear(const Scenario& scenario, bool is_axial)
-      : model(steady::make_steady_model(scenario,
-                                        {.speed = steady_speed(scenario), .is_axial = is_axial})),
+      : model(steady::make_steady_model(
+            scenario,
+            steady::at_speeds(steady::find_steady_speeds(scenario, {}), {.is_axial = is_axial}))),
         equilibrium(steady::find_machine_equilibrium(*model)),
         linear(steady::linearize_machine(equilibrium, *model)) {}
 
@@ -50,35 +52,42 @@ void append(const VectorXcd& part, VectorXcd& motion) {
   motion.tail(part.size()) = part;
 }
 
-/// Returns the motion of a rotor that is seen from outside, at an azimuth of its hub [rad]; on a
-/// support then that of the support and its axle.
-VectorXcd move_machine(const Linear& all, const vibration::FixedFrame& frame, const VectorXcd& x,
-                       double azimuth) {
-  if (!all.linear.support) {
-    VectorXcd motion = x.head(all.linear.M.rows());
-    for (std::size_t i = 0; i < all.model->subsystems(); ++i)
-      append(all.linear.motion_of(i, frame.motion_of(i, x, azimuth), x.head(all.linear.M.rows())),
-             motion);
-    return motion;
-  }
+/// Returns the motion of a rotor that is seen from outside, at an azimuth of its hub [rad].
+VectorXcd move_rotor(const Linear& all, const vibration::FixedFrame& frame, const VectorXcd& x,
+                     double azimuth) {
+  VectorXcd motion = x.head(all.linear.M.rows());
+  for (std::size_t i = 0; i < all.model->subsystems(); ++i)
+    append(all.linear.motion_of(i, frame.motion_of(i, x, azimuth), x.head(all.linear.M.rows())),
+           motion);
+  return motion;
+}
+
+/// Returns the azimuth of a rotor on a support at the start: a shaft is twisted against a drive
+/// that is held [rad].
+double start_azimuth(std::size_t r, const Linear& all, const Scenario& scenario) {
+  const auto& train = all.model->on_support()->parts(r).train;
+  const bool is_held = prescribes_motion(hub_of(*scenario.space, static_cast<int>(r)).drive);
+  return train && is_held ? -all.equilibrium.wrenches[r][5] / train->stiffness : 0.0;
+}
+
+/// Returns the motion of rotors on a support that are seen from outside, at a time [s]: of a base
+/// that is free, of rotors, of the support and of axles.
+VectorXcd move_machine(const Linear& all, const Scenario& scenario,
+                       const vibration::FixedFrame& frame, const VectorXcd& x, double t) {
   const steady::LinearSupport& support = *all.linear.support;
   const VectorXcd z = x.head(support.J.cols());
   const steady::SupportedModel& machine = *all.model->on_support();
   VectorXcd motion(0);
-  for (std::size_t i = 0; i < machine.support_index(); ++i)
+  if (all.model->is_hub_free()) append(support.base * z, motion);
+  for (std::size_t i = 0; i < machine.support_index(); ++i) {
+    const std::size_t r = machine.rotor_of(i);
+    const double azimuth = start_azimuth(r, all, scenario) + machine.parts(r).speed * t;
     append(frame.motion_of(i, x, azimuth), motion);
+  }
   append(support.motion * z, motion);
-  if (machine.parts().turns_freely) append(z.tail(1), motion);
+  for (const auto& axle : support.axles)
+    if (axle) append(z.segment(*axle, 1), motion);
   return motion;
-}
-
-/// Returns the azimuth at which a run starts: a shaft is twisted against a drive that is held
-/// [rad].
-double start_azimuth(const Linear& all, const Scenario& scenario) {
-  if (!all.linear.support) return 0.0;
-  const auto& train = all.model->on_support()->parts().train;
-  const bool is_held = prescribes_motion(scenario.space->hub.drive);
-  return train && is_held ? -all.equilibrium.wrench[5] / train->stiffness : 0.0;
 }
 
 /// Lists those of a rotor that is seen from outside, by roots in that frame.
@@ -87,15 +96,15 @@ std::vector<Vibration> list_from_outside(const Scenario& scenario, std::size_t c
   const auto all = std::make_shared<const Linear>(scenario, true);
   const auto frame = std::make_shared<const vibration::FixedFrame>(
       vibration::see_from_outside({*all->model, all->equilibrium, all->linear}));
-  const double start = start_azimuth(*all, scenario);
   std::vector<Vibration> list;
   for (const vibration::Root& root :
        vibration::find_fixed_roots(*frame, static_cast<Eigen::Index>(count) + kRigid)) {
     if (!vibrates(root.s) || list.size() == count) continue;
     list.push_back({"root " + std::to_string(list.size() + 1), root.s,
-                    [all, frame, root, start, speed](double t) {
-                      return move_machine(*all, *frame, root.x * std::exp(root.s * t),
-                                          start + speed * t);
+                    [all, frame, root, speed, scenario](double t) {
+                      const VectorXcd x = root.x * std::exp(root.s * t);
+                      return all->linear.support ? move_machine(*all, scenario, *frame, x, t)
+                                                 : move_rotor(*all, *frame, x, speed * t);
                     }});
   }
   return list;
@@ -176,6 +185,9 @@ Displaced::Displaced(const Scenario& scenario)
       start_(simulation_.save()),
       turns_in_space_(scenario.space && scenario.space->hub.support == HubSupport::free) {
   SimulatedModel& model = *core_of(simulation_).model;
+  if (scenario.space && scenario.space->support &&
+      scenario.space->support->from == spatial::SupportBase::free)
+    flying_ = &model.space()->data;
   if (scenario.space)
     find_places(*model.space());
   else
@@ -186,8 +198,9 @@ VectorXd Displaced::take() const {
   VectorXd values(std::ssize(places_));
   std::transform(places_.begin(), places_.end(), values.begin(),
                  [](const Place& place) { return *place.q; });
-  if (turns_in_space_) {
-    const Eigen::AngleAxisd turn(simulation_.hub_pose().rotation);
+  if (turns_in_space_ || flying_) {
+    const Eigen::AngleAxisd turn(flying_ ? Eigen::Matrix3d(calc_hub_state(*flying_).R.axes)
+                                         : simulation_.hub_pose().rotation);
     values.segment<3>(3) = turn.angle() * turn.axis();
   }
   return values;

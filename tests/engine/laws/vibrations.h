@@ -18,7 +18,8 @@ namespace spoke::test {
 struct Vibration {
   std::string name;
   std::complex<double> rate;  ///< its eigenvalue [rad/s]
-  /// Motion at a time [s], of which the real part counts: of the hub's free coordinates, then of
+  /// Motion at a time [s], of which the real part counts: of the free coordinates of the hub, or of
+  /// what a support stands on, then of
   /// those of all subsystems, as a run has them [m, rad].
   std::function<Eigen::VectorXcd(double t)> motion;
 
@@ -61,6 +62,7 @@ class Displaced {
   SavedState start_;
   std::vector<Place> places_;
   bool turns_in_space_;  ///< whether places 3 to 5 are a rotation since a step's start
+  const StepData<Space>* flying_ = nullptr;  ///< likewise, of the fuselage there
 };
 
 }  // namespace spoke::test

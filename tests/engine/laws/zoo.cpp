@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <numbers>
+#include <utility>
 
 #include "tests/shipped.h"
 
@@ -96,6 +98,19 @@ void tie_blades(Scenario& scenario) {
   blades[0].loops.push_back(spring);
 }
 
+/// Gives each rotor three equal blades in place of its own.
+void take_three_blades(Scenario& scenario) {
+  std::vector<spatial::Blade> blades;
+  for (const spatial::Blade& blade : scenario.space->blades) {
+    if (!blades.empty() && blades.back().rotor == blade.rotor) continue;
+    for (int k = 0; k < 3; ++k) {
+      blades.push_back(blade);
+      blades.back().azimuth = 2.0 * std::numbers::pi * k / 3.0;
+    }
+  }
+  scenario.space->blades = std::move(blades);
+}
+
 }  // namespace
 
 Scenario ZooModel::read(int steps) const {
@@ -119,6 +134,7 @@ std::vector<ZooModel> list_zoo() {
          s.space->hub.inertia = 115926.0 * spatial::Tensor::Identity();
          s.space->support->axle.train = spatial::DriveTrain{867.637e6, 6.215e6, 97.0, 534.116};
        }},
+      {"quadcopter, of three blades", "quadcopter", take_three_blades},
       {"solid_blade_rotor, nodal", "solid_blade_rotor", make_nodal},
       {"tree_of_bodies, in the wind", "tree_of_bodies", put_in_wind},
       {"tree_of_bodies, on bearings", "tree_of_bodies", put_on_bearings},

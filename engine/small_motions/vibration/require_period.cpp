@@ -1,0 +1,59 @@
+// Lists the rotors whose matrices turn, and compares their speeds.
+
+#include "engine/small_motions/vibration/require_period.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+#include "engine/small_motions/steady/supported_model.h"
+#include "engine/small_motions/vibration/fixed_modes.h"
+#include "models/error.h"
+
+namespace spoke::vibration {
+namespace {
+
+/// Returns the numbers of the rotors that turn and have no constant matrices as seen from outside.
+std::vector<std::size_t> list_uneven(const steady::SupportedModel& machine, const Linearised& all) {
+  std::vector<std::size_t> uneven;
+  for (std::size_t r = 0; r < machine.rotors(); ++r)
+    if (machine.parts(r).speed != 0.0 && !is_even(r, all)) uneven.push_back(r);
+  return uneven;
+}
+
+/// Whether rotors turn equally fast, in either sense.
+bool have_one_speed(const std::vector<std::size_t>& rotors, const steady::SupportedModel& machine) {
+  constexpr double kSame = 1e-9;
+  return std::all_of(rotors.begin(), rotors.end(), [&](std::size_t r) {
+    const double first = std::abs(machine.parts(rotors.front()).speed);
+    return std::abs(std::abs(machine.parts(r).speed) - first) <= kSame * first;
+  });
+}
+
+}  // namespace
+
+void require_period(const Linearised& all, const std::string& before) {
+  const steady::SupportedModel* machine = all.model.on_support();
+  if (!machine || machine->rotors() == 1) return;
+  const std::vector<std::size_t> uneven = list_uneven(*machine, all);
+  std::ostringstream text;
+  text << before << "the frame \"floquet\" expects one rotor, got " << machine->rotors();
+  if (uneven.empty()) {
+    text << ": of several the frame \"fixed\" has modes";
+    throw InputError(text.str());
+  }
+  for (std::size_t k = 0; k < uneven.size(); ++k) {
+    const steady::RotorParts& rotor = machine->parts(uneven[k]);
+    text << (k == 0 ? ", of which " : ", ") << '"' << rotor.name << "\" (" << rotor.speed
+         << " rad/s)";
+  }
+  text << (uneven.size() == 1 ? " is" : " are") << " not alike in all directions: "
+       << (have_one_speed(uneven, *machine)
+               ? "the period of one rotor among others is not built"
+               : "speeds that differ have no common period, so that there are no modes")
+       << "; runs have them";
+  throw InputError(text.str());
+}
+
+}  // namespace spoke::vibration
