@@ -31,7 +31,7 @@ int find_critical(const Arguments& arguments) {
   const CriticalOptions options{.of = asked.of,
                                 .from = asked.from,
                                 .to = asked.to,
-                                .state = {asked.speed},
+                                .state = asked.state,
                                 .points = asked.points,
                                 .count = asked.count,
                                 .frame = asked.frame};

@@ -113,6 +113,7 @@ Output files, in the folder of --out:
 Example:
   spoke modes models/nrel_5mw_rotor.toml --speed 1.267 --count 6
   spoke modes models/nrel_5mw_rotor.toml --frame fixed --count 9
+  spoke modes helicopter.toml --speed 36 --speed tail=180
 )";
 
 const char* const kCampbellText =

@@ -30,7 +30,7 @@ void print(const LinearSystem& system, const SteadyTask& task) {
 int linearize(const Arguments& arguments) {
   const SteadyTask task(arguments, "linear", {"A.mtx", "B.mtx", "C.mtx", "D.mtx", "linear.json"});
   const LinearSystem system = task.solve([&](const Scenario& scenario) {
-    return solve_linear_system(scenario, {arguments.steady.speed}, arguments.steady.frame);
+    return solve_linear_system(scenario, arguments.steady.state, arguments.steady.frame);
   });
   task.write({{"A.mtx", steady_report::make_matrix_market(system.A)},
               {"B.mtx", steady_report::make_matrix_market(system.B)},

@@ -13,7 +13,7 @@ namespace {
 
 void print(const ModesResult& result, const SteadyTask& task) {
   print_title(task.scenario().title);
-  print_line("speed", fmt::format("{:.6g} rad/s", result.equilibrium.speed));
+  print_line("speed", steady_report::describe_speeds(result.equilibrium));
   print_line("blades", result.are_blades_coupled ? "couple through the hub" : "do not couple");
   print_table(steady_report::make_mode_table(result));
   for (const std::string& note : result.notes) print_line("note", note);
@@ -28,7 +28,7 @@ int find_modes(const Arguments& arguments) {
   const SteadyTask task(arguments, "modes", {"modes.json", "modes.csv", "modes.html"});
   const ModesResult result = task.solve([&](const Scenario& scenario) {
     return solve_modes(scenario,
-                       {{arguments.steady.speed}, arguments.steady.count, arguments.steady.frame});
+                       {arguments.steady.state, arguments.steady.count, arguments.steady.frame});
   });
   task.write({{"modes.json", steady_report::make_json(result)},
               {"modes.csv", steady_report::make_csv(result)},

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "program/cli/number_option.h"
 
@@ -55,29 +56,55 @@ void add_speeds(CLI::App& command, SteadyArguments& arguments) {
   command
       .add_option_function<std::string>(
           "--speeds", [&](const std::string& text) { arguments.speeds = parse_range(text); },
-          "Speeds of the hub about its axis [rad/s], as 0:12:0.5")
+          "Speeds of the hub about its axis [rad/s], as 0:12:0.5; of several\n"
+          "rotors of the first, the others by the ratios of their drives")
       ->required()
       ->type_name("FROM:TO:STEP");
 }
 
+namespace {
+
+/// Adds a speed, or one of a rotor, "tail=180", to those that are asked for.
+void add_one(const std::string& text, SteadyState& state) {
+  const std::size_t equals = text.find('=');
+  const std::string name = equals == std::string::npos ? "" : text.substr(0, equals);
+  const double speed =
+      parse_speed("--speed", equals == std::string::npos ? text : text.substr(equals + 1),
+                  "expected a number from -1e30 to 1e30 [rad/s], got \"" + text + '"');
+  if (equals == 0) throw CLI::ValidationError("--speed", "expected NAME=RAD_PER_S, got " + text);
+  const bool is_second = name.empty() ? std::exchange(state.speed, speed).has_value()
+                                      : !state.speeds.emplace(name, speed).second;
+  if (is_second)
+    throw CLI::ValidationError(
+        "--speed", "expected one speed " +
+                       (name.empty() ? "without a name" : "of the rotor \"" + name + '"') +
+                       ", got another: " + text);
+}
+
+}  // namespace
+
 void add_speed(CLI::App& command, SteadyArguments& arguments) {
   command
-      .add_option_function<std::string>(
+      .add_option(
           "--speed",
-          [&](const std::string& text) {
-            arguments.speed =
-                parse_speed("--speed", text,
-                            "expected a number from -1e30 to 1e30 [rad/s], got \"" + text + '"');
+          [&arguments](const CLI::results_t& speeds) {
+            for (const std::string& text : speeds) add_one(text, arguments.state);
+            return true;
           },
-          "Speed of the hub about its axis [the one that the drive leads to]")
-      ->type_name("RAD_PER_S");
+          "Speed of the hub about its axis [the one that the drive leads to];\n"
+          "of several rotors of the first, and tail=180 of the one of this\n"
+          "name; may be repeated")
+      ->type_name("[NAME=]RAD_PER_S")
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->allow_extra_args(false);
 }
 
 void add_range(CLI::App& command, SteadyArguments& arguments) {
   command
       .add_option("--of", arguments.of,
-                  "What is varied: speed, of the hub [rad/s], or load=NAME, a\n"
-                  "factor of the loads of this name; load=gravity: of gravity")
+                  "What is varied: speed, of the hub [rad/s], as in campbell, or\n"
+                  "load=NAME, a factor of the loads of this name; load=gravity:\n"
+                  "of gravity")
       ->required()
       ->check([](const std::string& text) {
         const bool is_load = text.starts_with("load=") && text.size() > 5;

@@ -17,7 +17,7 @@ namespace spoke::cli {
 
 /// Options of these commands besides scenario and folder.
 struct SteadyArguments {
-  std::optional<double> speed;  ///< hub speed [rad/s]; none: the drive's
+  SteadyState state;            ///< speeds of hubs [rad/s]; none: the drives'
   std::optional<int> count;     ///< number of modes; none: 10, or as many as there are
   std::vector<double> speeds;   ///< campbell: hub speeds [rad/s]
   std::string of;               ///< critical: what is varied, as in CriticalOptions

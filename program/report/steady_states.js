@@ -68,7 +68,22 @@ class SteadyStates {
     if (!this.scene.base) return { ...moved, hub: motion };
     const { place: { p, R }, groups } = this.states[k];
     const place = { p: add(p, turn(R, motion.p)), R: product(R, motion.R) };
-    return { ...moved, groups: this.placeGroups(groups, place) };
+    return { ...moved, groups: this.moveOthers(this.placeGroups(groups, place), mode, c, s) };
+  }
+  /** Moves the other hubs of a support with what they carry, by the motions that they have in a mode. */
+  moveOthers(groups, mode, c, s) {
+    const made = [...groups];
+    (mode.others ?? []).forEach(({ real, imag }, k) => {
+      const { group, groups: carried } = this.scene.base.hubs[k];
+      const motion = Array.from({ length: 6 }, (_, i) => c * real[i] - s * imag[i]);
+      const [shift, R, { p: center }] = [motion.slice(0, 3), rotationOf(motion.slice(3)), groups[group]];
+      for (const g of carried)
+        made[g] = {
+          p: add(add(center, shift), turn(R, sub(groups[g].p, center))),
+          R: product(R, groups[g].R),
+        };
+    });
+    return made;
   }
   /** Numbers of a solid, moved by its motion: real parts of all, then imaginary ones, those of stresses left out. */
   moveSolid(still, { unit, shares }, c, s) {

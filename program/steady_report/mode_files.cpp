@@ -140,6 +140,14 @@ report::Table make_mode_table(const ModesResult& result) {
   return table;
 }
 
+std::string describe_speeds(const EquilibriumResult& result) {
+  if (result.rotors.empty()) return fmt::format("{:.6g} rad/s", result.speed);
+  std::string text;
+  for (const RotorEquilibrium& rotor : result.rotors)
+    text += fmt::format("{}{} {:.6g}", text.empty() ? "" : ", ", rotor.name, rotor.speed);
+  return text + " rad/s";
+}
+
 std::string describe_growth(const ModesResult& result) {
   std::string names;
   for (const Mode& mode : result.modes)
@@ -154,10 +162,13 @@ std::string describe_growth(const ModesResult& result) {
 std::string make_json(const ModesResult& result) {
   Json modes = Json::array();
   for (const Mode& mode : result.modes) modes.push_back(mode_json(mode, result.bodies));
-  const Json json = {
-      {"speed_rad_per_s", result.equilibrium.speed},   {"frame", name_of(result.frame)},
-      {"blades_couple", result.are_blades_coupled},    {"notes", result.notes},
-      {"equilibrium", nodes_json(result.equilibrium)}, {"modes", modes}};
+  Json json = {{"speed_rad_per_s", result.equilibrium.speed},   {"frame", name_of(result.frame)},
+               {"blades_couple", result.are_blades_coupled},    {"notes", result.notes},
+               {"equilibrium", nodes_json(result.equilibrium)}, {"modes", modes}};
+  Json rotors = Json::array();
+  for (const RotorEquilibrium& rotor : result.equilibrium.rotors)
+    rotors.push_back({{"name", rotor.name}, {"speed_rad_per_s", rotor.speed}});
+  if (!result.equilibrium.rotors.empty()) json.set("rotors", rotors);
   return json.dump_lines();
 }
 

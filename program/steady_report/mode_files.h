@@ -20,6 +20,8 @@ std::string describe(ModeFrame frame);
 
 /// Makes a row per mode.
 report::Table make_mode_table(const ModesResult& result);
+/// Returns the speed of the hub, or of each of several rotors: "main 36, tail 180 rad/s".
+std::string describe_speeds(const EquilibriumResult& result);
 /// Returns a remark about modes that grow; empty if none does.
 std::string describe_growth(const ModesResult& result);
 /// Returns modes.json: everything except the matrices, shapes included.

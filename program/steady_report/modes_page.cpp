@@ -188,8 +188,9 @@ std::string make_data(const CampbellResult& result, int harmonics, const Scenari
 
 std::string make_html(const ModesResult& result, const Scenario& scenario,
                       const std::string& title) {
-  report::Page page(title, fmt::format("Vibration modes at {:.6g} rad/s, {}",
-                                       result.equilibrium.speed, describe(result.frame)));
+  report::Page page(title,
+                    fmt::format("Vibration modes at {}, {}", describe_speeds(result.equilibrium),
+                                describe(result.frame)));
   page.widen();
   if (const std::string growth = describe_growth(result); !growth.empty())
     page.add_note(growth + ".", report::Tone::bad);

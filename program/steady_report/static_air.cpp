@@ -4,6 +4,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <cassert>
 #include <numbers>
 #include <utility>
@@ -65,13 +66,16 @@ std::vector<report::Fact> make_air_facts(const EquilibriumResult& result) {
           {"power of air", fmt::format("{:.6g} W", plain_zero(air.torque * result.speed))}};
 }
 
-Json air_json(const EquilibriumResult& result) {
-  assert(result.air);
-  const RotorAir& air = *result.air;
+bool has_air(const EquilibriumResult& result) {
+  return std::any_of(result.blades.begin(), result.blades.end(),
+                     [](const BladeEquilibrium& blade) { return !blade.air.empty(); });
+}
+
+Json air_json(const RotorAir& air, double speed) {
   return {{"wind_m_per_s", plain_zero(air.wind)},
           {"thrust_N", plain_zero(air.thrust)},
           {"torque_N_m", plain_zero(air.torque)},
-          {"power_W", plain_zero(air.torque * result.speed)}};
+          {"power_W", plain_zero(air.torque * speed)}};
 }
 
 Json section_air_json(const BladeEquilibrium& blade) {

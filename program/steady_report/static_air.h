@@ -13,8 +13,10 @@ namespace spoke::steady_report {
 
 /// Makes the facts of wind, thrust, torque and power. Precondition: air acts.
 std::vector<report::Fact> make_air_facts(const EquilibriumResult& result);
-/// Returns "air" of static.json. Precondition: air acts.
-Json air_json(const EquilibriumResult& result);
+/// Whether air acts on any blade.
+bool has_air(const EquilibriumResult& result);
+/// Returns "air" of static.json, of a rotor that turns at a speed [rad/s].
+Json air_json(const RotorAir& air, double speed);
 /// Returns "air" of a blade in static.json, by station.
 Json section_air_json(const BladeEquilibrium& blade);
 /// Returns section_air.csv, a row per blade and station.

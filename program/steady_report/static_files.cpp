@@ -246,6 +246,25 @@ std::vector<report::Fact> make_facts(const EquilibriumResult& result) {
   return facts;
 }
 
+namespace {
+
+Json rotors_json(const EquilibriumResult& result) {
+  Json rotors = Json::array();
+  for (const RotorEquilibrium& rotor : result.rotors) {
+    Json json = {{"name", rotor.name},
+                 {"speed_rad_per_s", rotor.speed},
+                 {"position_m", vector_json(rotor.hub.position)},
+                 {"rotation_rad", vector_json(rotation_of(rotor.hub))},
+                 {"force_N", vector_json(rotor.force)},
+                 {"moment_N_m", vector_json(rotor.moment)}};
+    if (rotor.air) json.set("air", air_json(*rotor.air, rotor.speed));
+    rotors.push_back(std::move(json));
+  }
+  return rotors;
+}
+
+}  // namespace
+
 std::string make_json(const EquilibriumResult& result) {
   Json blades = Json::array();
   for (const BladeEquilibrium& blade : result.blades) blades.push_back(blade_json(blade));
@@ -260,11 +279,36 @@ std::string make_json(const EquilibriumResult& result) {
                {"stability", stability_json(result)},
                {"warnings", warnings},
                {"blades", blades}};
-  if (result.air) json.set("air", air_json(result));
+  if (result.air) json.set("air", air_json(*result.air, result.speed));
+  if (!result.rotors.empty()) json.set("rotors", rotors_json(result));
   if (result.hub)
     json.set("hub", {{"position_m", vector_json(result.hub->position)},
                      {"rotation_rad", vector_json(rotation_of(*result.hub))}});
   return json.dump_lines();
+}
+
+report::Table make_rotor_table(const EquilibriumResult& result) {
+  report::Table table{
+      .caption = "Rotors: hubs from the support's base, forces and moments of support and drive",
+      .columns = {{"rotor"},
+                  {"speed [rad/s]", report::Align::number},
+                  {"hub [m]"},
+                  {"rotation [rad]"},
+                  {"force [N]"},
+                  {"moment [N m]"}}};
+  double size = 0.0, force = 0.0, moment = 0.0;
+  for (const RotorEquilibrium& rotor : result.rotors) {
+    size = std::max(size, rotor.hub.position.norm());
+    force = std::max(force, rotor.force.norm());
+    moment = std::max(moment, rotor.moment.norm());
+  }
+  moment = std::max(moment, size * force);
+  for (const RotorEquilibrium& rotor : result.rotors)
+    table.rows.push_back(
+        {{rotor.name, fmt::format("{:.6g}", rotor.speed), vector_text(rotor.hub.position, size),
+          vector_text(rotation_of(rotor.hub), 1.0), vector_text(rotor.force, force),
+          vector_text(rotor.moment, moment)}});
+  return table;
 }
 
 std::string make_section_csv(const EquilibriumResult& result) {
@@ -292,8 +336,9 @@ std::string make_html(const EquilibriumResult& result, const Scenario& scenario,
   page.add_facts(make_facts(result));
   page.add_markup("<div class=\"side\">\n");
   add_deflection_charts(result, page);
-  if (result.air) add_air_charts(result, page);
+  if (has_air(result)) add_air_charts(result, page);
   page.add_markup("</div>\n");
+  if (!result.rotors.empty()) page.add_table(make_rotor_table(result));
   page.add_table(make_tip_table(result));
   if (const report::Table joints = make_joint_table(result); !joints.rows.empty())
     page.add_table(joints);

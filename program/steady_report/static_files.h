@@ -17,6 +17,8 @@ std::string_view word_of(SmallMotions motions);
 report::Table make_tip_table(const EquilibriumResult& result);
 report::Table make_joint_table(const EquilibriumResult& result);
 report::Table make_loop_table(const EquilibriumResult& result);
+/// Makes a row for each of several rotors: its speed, place and wrench.
+report::Table make_rotor_table(const EquilibriumResult& result);
 /// Returns speed, hub wrench and the course of the search.
 std::vector<report::Fact> make_facts(const EquilibriumResult& result);
 

@@ -39,11 +39,11 @@ void append(const Vector3cd& v, double unit, std::vector<std::int16_t>& numbers)
   for (const std::complex<double>& x : v) numbers.push_back(share(x.imag()));
 }
 
-/// `to_hub`: from the axes of the mode to those of the drawn hub.
-Json hub_json(const Mode& mode, const Eigen::Matrix3d& to_hub) {
+/// `to_hub`: from the axes of the motion to those of the drawn hub.
+Json hub_json(const HubShape& hub, const Eigen::Matrix3d& to_hub) {
   Json real = Json::array(), imag = Json::array();
   for (const Vector3cd& v :
-       {Vector3cd(to_hub * mode.hub_displacement), Vector3cd(to_hub * mode.hub_rotation)})
+       {Vector3cd(to_hub * hub.displacement), Vector3cd(to_hub * hub.rotation)})
     for (const std::complex<double>& x : v) {
       real.push_back(x.real());
       imag.push_back(x.imag());
@@ -127,8 +127,13 @@ SteadyScene::SteadyScene(const Scenario& scenario, const EquilibriumResult& resu
   put_anchors(scenario, result);
 }
 
-Eigen::Matrix3d SteadyScene::to_drawn(int subsystem) const {
-  return subsystem == scene_.support ? Eigen::Matrix3d(Eigen::Matrix3d::Identity()) : to_hub_;
+spatial::Placement SteadyScene::to_drawn(int subsystem, const EquilibriumResult& result) const {
+  if (subsystem == scene_.support) return {};
+  const auto rotor =
+      static_cast<std::size_t>(result.blades[static_cast<std::size_t>(subsystem)].rotor);
+  if (rotor == 0) return {Vector3d::Zero(), to_hub_};
+  const HubPlace& hub = result.rotors[rotor].hub;
+  return {hub.position, hub.axes};
 }
 
 /// Puts anchors where the equilibrium has them.
@@ -154,6 +159,11 @@ Json SteadyScene::describe(const EquilibriumResult& result) const {
     const auto g = static_cast<std::size_t>(carrier.group);
     motions[g] = first_[g];
   }
+  for (std::size_t r = 1; r < result.rotors.size(); ++r) {
+    const HubPlace& hub = result.rotors[r].hub;
+    motions[static_cast<std::size_t>(scene_.hubs[r].group)] = {
+        hub.position, hub.axes * scene_.hubs[r].to_hub.transpose()};
+  }
   std::vector<float> displacements(3 * scene_.nodes.size()), rotations = displacements, groups;
   if (!result.blades.empty()) {
     displacements.clear();
@@ -162,7 +172,8 @@ Json SteadyScene::describe(const EquilibriumResult& result) const {
       const BladeEquilibrium& blade =
           result.blades[static_cast<std::size_t>(scene_.sources[k].subsystem)];
       const std::size_t at = places_[k];
-      const Eigen::Matrix3d turn = to_drawn(scene_.sources[k].subsystem);
+      const spatial::Placement drawn_in = to_drawn(scene_.sources[k].subsystem, result);
+      const Eigen::Matrix3d& turn = drawn_in.rotation;
       append(turn * (blade.nodes[at] - blade.undeformed[at]), displacements);
       append(turn * blade.rotations[at], rotations);
       // All nodes of a rigid body show its motion.
@@ -170,7 +181,7 @@ Json SteadyScene::describe(const EquilibriumResult& result) const {
       if (drawn.group == 0) continue;
       spatial::Placement& motion = motions[static_cast<std::size_t>(drawn.group)];
       motion.rotation = turn * blade.undeformed_axes[at] * drawn.axes.transpose();
-      motion.position = turn * blade.undeformed[at] - motion.rotation * drawn.p;
+      motion.position = drawn_in.position + turn * blade.undeformed[at] - motion.rotation * drawn.p;
     }
   }
   for (std::size_t g = 1; g < motions.size(); ++g) run_report::append_pose(motions[g], groups);
@@ -197,6 +208,16 @@ Json SteadyScene::describe(const EquilibriumResult& result) const {
   return described;
 }
 
+/// Returns the motion of the hub that carries a subsystem, with which its nodes go; none of a
+/// support.
+HubShape SteadyScene::find_carrier(int subsystem, const Mode& mode,
+                                   const EquilibriumResult& result) const {
+  if (subsystem == scene_.support) return {};
+  if (mode.hubs.empty()) return {mode.hub_displacement, mode.hub_rotation};
+  return mode
+      .hubs[static_cast<std::size_t>(result.blades[static_cast<std::size_t>(subsystem)].rotor)];
+}
+
 Json SteadyScene::describe(const Mode& mode, const EquilibriumResult& result) const {
   std::vector<NodeShape> shapes;
   std::size_t first = 0;
@@ -207,13 +228,11 @@ Json SteadyScene::describe(const Mode& mode, const EquilibriumResult& result) co
     if (shapes.empty()) first = k;
     const std::size_t at = places_[k];
     const Vector3cd p = result.blades[tree].nodes[at].cast<std::complex<double>>();
-    const bool stands = scene_.support == static_cast<int>(tree);
-    const Vector3cd turn = stands ? Vector3cd(Vector3cd::Zero()) : mode.hub_rotation;
-    const Vector3cd carried =
-        stands ? Vector3cd(Vector3cd::Zero()) : Vector3cd(mode.hub_displacement + turn.cross(p));
-    const Eigen::Matrix3d drawn = to_drawn(static_cast<int>(tree));
-    shapes.push_back(
-        {drawn * (mode.shape[tree][at] - carried), drawn * (mode.rotations[tree][at] - turn)});
+    const HubShape hub = find_carrier(static_cast<int>(tree), mode, result);
+    const Vector3cd carried = hub.displacement + hub.rotation.cross(p);
+    const Eigen::Matrix3d drawn = to_drawn(static_cast<int>(tree), result).rotation;
+    shapes.push_back({drawn * (mode.shape[tree][at] - carried),
+                      drawn * (mode.rotations[tree][at] - hub.rotation)});
     displacement = larger(displacement, shapes.back().displacement);
     rotation = larger(rotation, shapes.back().rotation);
   }
@@ -227,19 +246,22 @@ Json SteadyScene::describe(const Mode& mode, const EquilibriumResult& result) co
     solids.push_back(describe_motion(motion));
     solid_displacement = std::max(solid_displacement, motion.largest);
   }
+  Json others = Json::array();
+  for (std::size_t r = 1; r < mode.hubs.size(); ++r)
+    others.push_back(hub_json(mode.hubs[r], result.rotors[r].hub.axes));
   constexpr double kMost = std::numeric_limits<std::int16_t>::max();
   std::vector<std::int16_t> numbers;
   for (const NodeShape& shape : shapes) {
     append(shape.displacement, displacement / kMost, numbers);
     append(shape.rotation, rotation / kMost, numbers);
   }
-  return {
+  Json described = {
       {"name", mode.name},
       {"of", mode.of},
       {"frequency", hertz(mode.frequency)},
       {"damping", damping_of(mode)},
       {"grows", mode.grows()},
-      {"hub", hub_json(mode, to_hub_)},
+      {"hub", hub_json({mode.hub_displacement, mode.hub_rotation}, to_hub_)},
       {"solids", solids},
       {"first", first},
       {"shape", run_report::encode(numbers)},
@@ -247,6 +269,8 @@ Json SteadyScene::describe(const Mode& mode, const EquilibriumResult& result) co
       {"largest",
        {{"displacement", larger(std::max(displacement, solid_displacement), mode.hub_displacement)},
         {"rotation", larger(rotation, mode.hub_rotation)}}}};
+  if (mode.hubs.size() > 1) described.set("others", others);
+  return described;
 }
 
 }  // namespace spoke::steady_report

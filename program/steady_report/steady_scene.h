@@ -27,10 +27,11 @@ class SteadyScene {
   Json describe(const Mode& mode, const EquilibriumResult& result) const;
 
  private:
-  /// Returns the rotation from the frame in which an equilibrium has a subsystem to that in which
-  /// it is drawn: of a support its base's, else the hub's, whose z axis need not be that of
-  /// rotation.
-  Eigen::Matrix3d to_drawn(int subsystem) const;
+  /// Returns the placement of the frame in which an equilibrium has a subsystem in that in which it
+  /// is drawn: of a support, and of what further rotors on it carry, its base's, else the hub's,
+  /// whose z axis need not be that of rotation.
+  spatial::Placement to_drawn(int subsystem, const EquilibriumResult& result) const;
+  HubShape find_carrier(int subsystem, const Mode& mode, const EquilibriumResult& result) const;
   void put_anchors(const Scenario& scenario, const EquilibriumResult& result);
 
   scene::Scene scene_;

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -55,12 +56,13 @@ auto of_point(Get get) {
 }
 
 Critical search_critical(const Scenario& scenario, std::string of, double from, double to,
-                         std::optional<double> speed, int points, std::optional<int> count,
+                         std::optional<double> speed, std::map<std::string, double> speeds,
+                         int points, std::optional<int> count,
                          const std::optional<std::string>& frame) {
   CriticalOptions options{.of = std::move(of),
                           .from = from,
                           .to = to,
-                          .state = {speed},
+                          .state = {speed, std::move(speeds)},
                           .points = points,
                           .count = count,
                           .frame = frame_of(frame),

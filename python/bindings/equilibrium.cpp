@@ -7,8 +7,10 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "program/steady_report/static_files.h"
@@ -140,6 +142,25 @@ void bind_equilibrium(py::module_& module) {
         return "<spoke.BladeEquilibrium " + blade.name + ", tip displacement " +
                vector_text(blade.tip_displacement) + " m>";
       });
+  py::class_<RotorEquilibrium>(module, "RotorEquilibrium",
+                               "One of several rotors on a support in equilibrium.")
+      .def_readonly("name", &RotorEquilibrium::name)
+      .def_readonly("speed", &RotorEquilibrium::speed, "Of its hub [rad/s].")
+      .def_property_readonly(
+          "position", [](const RotorEquilibrium& rotor) { return rotor.hub.position; },
+          "(3,) of its hub, from the support's base [m]")
+      .def_property_readonly(
+          "axes", [](const RotorEquilibrium& rotor) { return rotor.hub.axes; },
+          "(3, 3) of its hub at the angle 0, columns; the last is the axis of rotation")
+      .def_readonly("force", &RotorEquilibrium::force,
+                    "(3,) of support and drive on its hub, in its frame [N]")
+      .def_readonly("moment", &RotorEquilibrium::moment,
+                    "(3,) likewise, about the hub's origin [N m]")
+      .def_readonly("air", &RotorEquilibrium::air, "As of an equilibrium.")
+      .def("__repr__", [](const RotorEquilibrium& rotor) {
+        return "<spoke.RotorEquilibrium " + rotor.name + " at " + six_digits(rotor.speed) +
+               " rad/s>";
+      });
   const auto get = [](auto EquilibriumResult::*member) {
     return [member](const Equilibrium& equilibrium) { return equilibrium.result.*member; };
   };
@@ -153,6 +174,8 @@ void bind_equilibrium(py::module_& module) {
       .def_property_readonly("air", get(&EquilibriumResult::air),
                              "What air does to the rotor: wind [m/s], thrust [N] and torque [N m]; "
                              "None where no air acts.")
+      .def_property_readonly("rotors", get(&EquilibriumResult::rotors),
+                             "Of several on a support all, in their order; else empty.")
       .def_property_readonly(
           "stability", &stability_of,
           "Whether small motions about it decay: a dictionary with small_motions (\"decay\", "
@@ -180,8 +203,9 @@ void bind_equilibrium(py::module_& module) {
       .def("__repr__", [](const Equilibrium& e) { return describe(e.result); });
   module.def(
       "_solve_equilibrium",
-      [](const Scenario& scenario, std::optional<double> speed) {
-        return Equilibrium{solve_equilibrium(scenario, {speed}), scenario};
+      [](const Scenario& scenario, std::optional<double> speed,
+         std::map<std::string, double> speeds) {
+        return Equilibrium{solve_equilibrium(scenario, {speed, std::move(speeds)}), scenario};
       },
       py::call_guard<py::gil_scoped_release>());
 }

@@ -14,6 +14,7 @@
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "models/error.h"
@@ -153,7 +154,10 @@ void bind_modes(py::module_& module) {
           "Whether blades move each other through the hub.")
       .def_property_readonly(
           "speed", [](const Modes& modes) { return modes.result.equilibrium.speed; },
-          "Of the hub [rad/s].")
+          "Of the hub, of several rotors of the first [rad/s].")
+      .def_property_readonly(
+          "rotors", [](const Modes& modes) { return modes.result.equilibrium.rotors; },
+          "Of several rotors on a support all, as of an equilibrium; else empty.")
       .def_property_readonly(
           "frame", [](const Modes& modes) { return steady_report::name_of(modes.result.frame); },
           "From where they are seen: \"turning\", \"fixed\" or \"floquet\".")
@@ -169,10 +173,11 @@ void bind_modes(py::module_& module) {
       });
   module.def(
       "_solve_modes",
-      [](const Scenario& scenario, std::optional<double> speed, std::optional<int> count,
+      [](const Scenario& scenario, std::optional<double> speed,
+         std::map<std::string, double> speeds, std::optional<int> count,
          const std::optional<std::string>& frame) {
-        return std::make_shared<Modes>(solve_modes(scenario, {{speed}, count, frame_of(frame)}),
-                                       scenario);
+        return std::make_shared<Modes>(
+            solve_modes(scenario, {{speed, std::move(speeds)}, count, frame_of(frame)}), scenario);
       },
       py::call_guard<py::gil_scoped_release>());
 }

@@ -1,21 +1,29 @@
 """Steady motion, and vibrations about it."""
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from . import _spoke
 from ._simulation import read_scenario
 
 
+def _speeds(speed):
+    """Returns the speed of the first rotor, or None, and those of rotors by their names."""
+    return (None, dict(speed)) if isinstance(speed, Mapping) else (speed, {})
+
+
 def equilibrium(scenario, *, set=None, speed=None):
     """Finds the Equilibrium of a model in steady rotation, or at rest.
 
     scenario, set: as of read_scenario().
-    speed: of the hub about its axis [rad/s]; None: the one that the scenario's drive leads to.
+    speed: of the hub about its axis [rad/s], of several rotors on a support of the first, or a
+        dictionary of speeds by rotor; None, and what is not in it: the one that the drive leads to.
 
     Raises InputError if nothing holds the hub or a joint, or if the drive is a torque and no speed
     is given; DivergenceError, with subsystem and quantity, if no equilibrium is found.
     """
-    return _spoke._solve_equilibrium(read_scenario(scenario, set), speed)
+    return _spoke._solve_equilibrium(read_scenario(scenario, set), *_speeds(speed))
 
 
 def modes(scenario, *, set=None, speed=None, count=None, frame=None):
@@ -32,14 +40,15 @@ def modes(scenario, *, set=None, speed=None, count=None, frame=None):
     Raises like equilibrium(), but for what nothing holds: that is a mode of frequency zero; and
     InputError if the frame is not for such a model.
     """
-    return _spoke._solve_modes(read_scenario(scenario, set), speed, count, frame)
+    return _spoke._solve_modes(read_scenario(scenario, set), *_speeds(speed), count, frame)
 
 
 def campbell(scenario, speeds, *, set=None, count=None, harmonics=6, threads=None, frame=None):
     """Follows modes over speeds of rotation: a Campbell diagram.
 
     scenario, set: as of read_scenario().
-    speeds: ascending, two or more [rad/s].
+    speeds: ascending, two or more [rad/s]; of several rotors on a support of the first, while the
+        others turn by the ratios of the speeds that their drives lead to.
     count: modes to follow, as of modes(); None: 6, or as many as there are.
     harmonics: excitation lines, from once per revolution on.
     threads: on which speeds are shared out; None: all that are available.
@@ -67,7 +76,7 @@ def critical(scenario, of, start, end, *, set=None, speed=None, points=21, count
     Returns a Critical, whose value is None if the whole range is stable. Raises like modes() at the
     start, and InputError if the equilibrium is unstable there.
     """
-    return _spoke._solve_critical(read_scenario(scenario, set), of, start, end, speed, points,
+    return _spoke._solve_critical(read_scenario(scenario, set), of, start, end, *_speeds(speed), points,
                                   count, frame)
 
 

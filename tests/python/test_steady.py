@@ -69,6 +69,33 @@ stiffness = 1e9
          "tension_N": link.tension}]
 
 
+def two_rotors():
+    rotor = {"mass": 2.0, "inertia": 0.3, "drive": {"kind": "constant", "speed": 30.0}}
+    return {
+        "world": "space", "integration": {"duration": 1.0},
+        "support": {"from": "ground",
+                    "body": [{"name": "frame", "kind": "rigid", "mass": 20.0, "inertia": 5.0}],
+                    "joint": [{"name": "foot", "child": "frame", "kind": "universal",
+                               "axes": [[1, 0, 0], [0, 1, 0]], "stiffness": [900.0, 700.0]}]},
+        "rotor": [{"name": name, "hub": rotor, "axle": {"body": "frame", "offset": [0, 0, height]}}
+                  for name, height in (("lower", 0.5), ("upper", 1.0))]}
+
+
+def test_several_rotors_have_their_own_speeds():
+    found = spoke.equilibrium(two_rotors(), speed={"upper": -7.0})
+    assert [(rotor.name, rotor.speed) for rotor in found.rotors] == [("lower", 30.0), ("upper", -7.0)]
+    assert found.rotors[1].position == pytest.approx([0.0, 0.0, 1.0])
+    assert found.rotors[1].axes == pytest.approx(np.eye(3))
+    assert found.speed == 30.0 and found.rotors[0].air is None
+    against = spoke.modes(two_rotors(), speed={"lower": 30.0, "upper": -30.0})
+    assert against.frequencies == pytest.approx(spoke.modes(two_rotors(),
+                                                            speed={"lower": 0.0, "upper": 0.0})
+                                                .frequencies)
+    assert against.rotors[1].speed == -30.0
+    with pytest.raises(spoke.InputError, match="tail"):
+        spoke.modes(two_rotors(), speed={"tail": 1.0})
+
+
 def test_modes_are_those_of_the_program(program):
     folder = program("modes", ROTOR, "--speed", 3, "--count", 4)
     rows = np.genfromtxt(folder / "modes.csv", delimiter=",", names=True, dtype=None,

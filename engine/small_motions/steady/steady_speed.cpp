@@ -99,16 +99,23 @@ std::vector<double> find_steady_speeds(const Scenario& scenario, const SteadySta
   return speeds;
 }
 
-SteadyState scale_steady_speeds(const Scenario& scenario, double first) {
-  SteadyState state{.speed = first};
-  if (!scenario.space || scenario.space->rotors.empty()) return state;
-  const std::vector<double> own = find_steady_speeds(scenario, {});
-  if (own.front() == 0.0)
+std::vector<double> scale_steady_speeds(const Scenario& scenario, double first) {
+  if (!scenario.space || scenario.space->rotors.empty()) return {first};
+  std::vector<double> speeds = find_steady_speeds(scenario, {});
+  const double own = speeds.front();
+  if (own == 0.0)
     throw InputError("the drive of the rotor \"" + scenario.space->hub.name +
                      "\" lets it stand, expected one that turns: all rotors turn faster and slower "
                      "by the ratios of their drives' speeds");
-  for (std::size_t r = 1; r < own.size(); ++r)
-    state.speeds[scenario.space->rotors[r - 1].hub.name] = first * (own[r] / own.front());
+  for (double& speed : speeds) speed = first * (speed / own);
+  return speeds;
+}
+
+SteadyState scale_steady_state(const Scenario& scenario, double first) {
+  const std::vector<double> speeds = scale_steady_speeds(scenario, first);
+  SteadyState state{.speed = first};
+  for (std::size_t r = 1; r < speeds.size(); ++r)
+    state.speeds[scenario.space->rotors[r - 1].hub.name] = speeds[r];
   return state;
 }
 

@@ -21,10 +21,12 @@ double find_steady_speed(const Scenario& scenario, std::optional<double> asked);
 /// if a speed is for a rotor that there is not, or the first one has two.
 std::vector<double> find_steady_speeds(const Scenario& scenario, const SteadyState& asked);
 
-/// Returns a state in which the first rotor turns at `first`, and the others by the ratios of the
-/// speeds that their drives lead to. Throws InputError, also if the first rotor's drive lets it
-/// stand while there are others.
-SteadyState scale_steady_speeds(const Scenario& scenario, double first);
+/// Returns the speeds of all rotors where the first turns at `first`, and the others by the ratios
+/// of the speeds that their drives lead to. Throws InputError if the first one's lets it stand
+/// while there are others.
+std::vector<double> scale_steady_speeds(const Scenario& scenario, double first);
+/// Returns the state in which they have these speeds.
+SteadyState scale_steady_state(const Scenario& scenario, double first);
 
 /// Throws InputError if a scenario has several rotors. `why`: what the message says of it.
 void require_one_rotor(const Scenario& scenario, const std::string& why);

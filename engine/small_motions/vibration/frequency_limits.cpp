@@ -14,6 +14,8 @@
 #include "engine/small_motions/steady/find_equilibrium.h"
 #include "engine/small_motions/steady/linear_model.h"
 #include "engine/small_motions/steady/linear_support.h"
+#include "engine/small_motions/steady/steady_speed.h"
+#include "engine/small_motions/steady/supported_model.h"
 #include "engine/small_motions/vibration/coupled_roots.h"
 #include "engine/small_motions/vibration/eigenvalues.h"
 #include "engine/small_motions/vibration/extreme_root.h"
@@ -63,9 +65,12 @@ Scenario without_motion(const Scenario& scenario) {
   return held;
 }
 
-/// Linearises the parts of the model with `share` of loads, gravity and the square of the speed.
-std::vector<LinearModel> linearize_parts(const Scenario& scenario, double speed, double share) {
-  const std::unique_ptr<steady::SteadyModel> model = steady::make_steady_model(scenario, {speed});
+/// Linearises the parts of the model with `share` of loads, gravity and the squares of the speeds
+/// of rotors.
+std::vector<LinearModel> linearize_parts(const Scenario& scenario,
+                                         const std::vector<double>& speeds, double share) {
+  const std::unique_ptr<steady::SteadyModel> model =
+      steady::make_steady_model(scenario, steady::at_speeds(speeds));
   model->set_share(share);
   steady::Equilibrium start;
   start.alike = steady::find_alike(*model);
@@ -143,13 +148,23 @@ double largest_speed(const spatial::Hub& hub) {
   return std::visit(LargestSpeed{}, hub.drive);
 }
 
+/// Returns that of each rotor.
+std::vector<double> largest_speeds(const spatial::Model& model) {
+  std::vector<double> speeds;
+  for (int r = 0; r < count_rotors(model); ++r) speeds.push_back(largest_speed(hub_of(model, r)));
+  return speeds;
+}
+
 /// Returns the smaller one of the limit at rest, of `parts`, and the limit at the largest speed.
 Rk4Limit find_least(const Scenario& scenario, const std::vector<LinearModel>& parts) {
   constexpr double kNotable = 0.999;
-  const double least = least_root(scenario), speed = largest_speed(scenario.space->hub);
+  const double least = least_root(scenario);
+  const std::vector<double> speeds = largest_speeds(*scenario.space);
   const Rk4Limit at_rest = find_rk4_limit_of(parts, 0.0, least);
-  if (speed == 0.0) return at_rest;
-  const Rk4Limit turning = find_rk4_limit_of(linearize_parts(scenario, speed, 1.0), speed, least);
+  if (std::all_of(speeds.begin(), speeds.end(), [](double speed) { return speed == 0.0; }))
+    return at_rest;
+  const Rk4Limit turning =
+      find_rk4_limit_of(linearize_parts(scenario, speeds, 1.0), speeds.front(), least);
   return turning.step < kNotable * at_rest.step ? turning : at_rest;
 }
 
@@ -158,7 +173,7 @@ Rk4Limit find_least(const Scenario& scenario, const std::vector<LinearModel>& pa
 FrequencyLimits find_frequency_limits(const Scenario& scenario) {
   require_size(*scenario.space);
   const Scenario held = without_motion(scenario);
-  std::vector<LinearModel> parts = linearize_parts(held, 0.0, 0.0);
+  std::vector<LinearModel> parts = linearize_parts(held, {0.0}, 0.0);
   FrequencyLimits limits;
   limits.rk4 = find_least(held, parts);
   for (LinearModel& part : parts) {
@@ -176,7 +191,7 @@ FrequencyLimits find_frequency_limits(const Scenario& scenario) {
 Rk4Limit find_rk4_limit(const Scenario& scenario) {
   require_size(*scenario.space);
   const Scenario held = without_motion(scenario);
-  return find_least(held, linearize_parts(held, 0.0, 0.0));
+  return find_least(held, linearize_parts(held, {0.0}, 0.0));
 }
 
 }  // namespace spoke::vibration

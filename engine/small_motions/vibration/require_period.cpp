@@ -14,20 +14,22 @@
 namespace spoke::vibration {
 namespace {
 
-/// Returns the numbers of the rotors that turn and have no constant matrices as seen from outside.
+/// Returns the numbers of the rotors that have no constant matrices as seen from outside.
 std::vector<std::size_t> list_uneven(const steady::SupportedModel& machine, const Linearised& all) {
   std::vector<std::size_t> uneven;
   for (std::size_t r = 0; r < machine.rotors(); ++r)
-    if (machine.parts(r).speed != 0.0 && !is_even(r, all)) uneven.push_back(r);
+    if (!is_even(r, all)) uneven.push_back(r);
   return uneven;
 }
 
-/// Whether rotors turn equally fast, in either sense.
+/// Whether those of some rotors that turn are equally fast, in either sense.
 bool have_one_speed(const std::vector<std::size_t>& rotors, const steady::SupportedModel& machine) {
   constexpr double kSame = 1e-9;
+  double fastest = 0.0;
+  for (const std::size_t r : rotors) fastest = std::max(fastest, std::abs(machine.parts(r).speed));
   return std::all_of(rotors.begin(), rotors.end(), [&](std::size_t r) {
-    const double first = std::abs(machine.parts(rotors.front()).speed);
-    return std::abs(std::abs(machine.parts(r).speed) - first) <= kSame * first;
+    const double speed = std::abs(machine.parts(r).speed);
+    return speed == 0.0 || fastest - speed <= kSame * fastest;
   });
 }
 

@@ -41,7 +41,7 @@ void check(const CampbellOptions& options) {
 ModesResult solve_with_spares(const Scenario& scenario, double speed,
                               const CampbellOptions& options) {
   return vibration::solve_modes(
-      scenario, steady::scale_steady_speeds(scenario, speed), options.frame,
+      scenario, steady::scale_steady_state(scenario, speed), options.frame,
       {options.count.value_or(0), options.count.value_or(options.most) + kSpare});
 }
 

@@ -160,13 +160,11 @@ class Search {
 
  private:
   std::unique_ptr<steady::SteadyModel> make_model(double value) const {
-    if (parameter_.is_speed()) {
-      const SteadyState state =
-          steady::scale_steady_speeds(scenario_, value == 0.0 ? kAlmostRest : value);
+    if (parameter_.is_speed())
       return steady::make_steady_model(
-          scenario_, steady::at_speeds(steady::find_steady_speeds(scenario_, state),
-                                       {.is_axial = is_outside()}));
-    }
+          scenario_, steady::at_speeds(
+                         steady::scale_steady_speeds(scenario_, value == 0.0 ? kAlmostRest : value),
+                         {.is_axial = is_outside()}));
     Scenario loaded = scenario_;
     vibration::multiply_load(parameter_.load, value, loaded);
     return steady::make_steady_model(

@@ -244,6 +244,25 @@ TEST_CASE("several rotors: a run that starts at the equilibrium stays there") {
   CHECK(found.rotors[1].speed == -20.0);
 }
 
+TEST_CASE("several rotors: a shaft behind the second is twisted at the start by its torque") {
+  Scenario scenario = make(
+      kSprings,
+      {{.name = "front",
+        .place = "[1.0, 0, 0.5]",
+        .blades = 3,
+        .drive = "{ kind = \"free\", initial_speed = 25.0 }"},
+       {.name = "rear", .speed = -20.0, .place = "[-2, 0, 0.5]", .blades = 3}},
+      "[initial]\nstate = \"equilibrium\"\n[[hub_load]]\nrotor = \"rear\"\ntorque = [0, 0, 60]\n");
+  scenario.space->rotors[0].axle.train = spatial::DriveTrain{2000.0, 5.0, 10.0, 0.02};
+  scenario.integration = {.step = 1e-3, .duration = 0.1};
+  Simulation simulation(scenario);
+  for (int k = 0; k < 100; ++k) simulation.step();
+  CHECK(simulation.sensor("rear.hub.speed") == Approx(-20.0).epsilon(1e-6));
+  CHECK(simulation.sensor("rear.hub.angle") == Approx(60.0 / 2000.0 - 2.0).epsilon(1e-6));
+  CHECK(simulation.sensor("hub.speed") == Approx(25.0).epsilon(1e-6));
+  CHECK(simulation.sensor("hub.angle") == Approx(2.5).epsilon(1e-6));
+}
+
 TEST_CASE("several rotors: speeds are asked for by name, and sweep by their ratios") {
   const Scenario scenario = make_coaxial(60.0, -30.0);
   const auto speeds = [&](const SteadyState& state) {
@@ -301,6 +320,20 @@ TEST_CASE("several rotors: what has no constant matrices is refused with its rea
         "blade 2; the frame \"floquet\" expects one rotor, got 2, of which \"one\" (20 rad/s), "
         "\"two\" (31 rad/s) are not alike in all directions: speeds that differ have no common "
         "period, so that there are no modes; runs have them");
+  const std::string not_built =
+      " not alike in all directions: the period of one rotor among others is not built; runs have "
+      "them";
+  CHECK(refused(20.0, -20.0, 2, 2, ModeFrame::floquet) ==
+        "the frame \"floquet\" expects one rotor, got 2, of which \"one\" (20 rad/s), \"two\" (-20 "
+        "rad/s) are" +
+            not_built);
+  CHECK(refused(20.0, -31.0, 3, 1, ModeFrame::floquet) ==
+        "the frame \"floquet\" expects one rotor, got 2, of which \"two\" (-31 rad/s) is" +
+            not_built);
+  CHECK(refused(0.0, 0.0, 2, 1, {}) == "no error");
+  CHECK(refused(20.0, 31.0, 3, 3, ModeFrame::turning) ==
+        "the frame \"turning\" expects a hub whose support does not move, or a speed of 0: on a "
+        "support the frames \"fixed\" and \"floquet\" have modes");
   CHECK(refused(20.0, 31.0, 3, 3, ModeFrame::floquet) ==
         "the frame \"floquet\" expects one rotor, got 2: of several the frame \"fixed\" has modes");
 }
