@@ -155,19 +155,12 @@ struct Unnumbered {
   std::string rotors;  ///< that move, of several: "tail: ", "front + rear: "
 };
 
-/// Returns the words before the names of modes of rotors, of several on a support: of those whose
-/// motion is not much less than the largest. `masses`: by rotor, of the pattern that moves most.
-std::string name_rotors(const std::vector<double>& masses, const Linearised& all) {
-  const steady::SupportedModel* machine = all.model.on_support();
-  return machine ? machine->name_rotors(masses) : std::string();
-}
-
 Unnumbered describe(const Root& root, const Fixed& fixed, std::map<std::string, KindNames>& kinds) {
   constexpr double kAlike = 1e-6;
   Unnumbered found;
   const VectorXcd hub = root.x.head(fixed.frame.model.M.rows());
   if (hub.size() > 0) found.of_hub = calc_mass(hub, calc_carried_mass(fixed.frame.model));
-  std::vector<double> masses;
+  std::vector<double> masses;  // by rotor, of the pattern that moves most
   for (std::size_t k = 0; k < fixed.frame.patterns.size(); ++k) {
     PatternMotion motion = describe_pattern(k, root, fixed);
     const std::size_t rotor = fixed.family_of(k).rotor;
@@ -191,7 +184,8 @@ Unnumbered describe(const Root& root, const Fixed& fixed, std::map<std::string, 
     return found;
   }
   const std::size_t i = fixed.first_of(found.pattern);
-  found.rotors = name_rotors(masses, fixed.all);
+  if (const steady::SupportedModel* machine = fixed.all.model.on_support())
+    found.rotors = machine->name_rotors(masses);
   const SubsystemShape shape =
       fixed.shape_of(found.pattern, found.motion.y, VectorXcd::Zero(hub.size()));
   if (fixed.is_shaft(found.pattern)) {

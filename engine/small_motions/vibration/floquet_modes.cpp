@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "engine/small_motions/steady/azimuths.h"
+#include "engine/small_motions/steady/supported_model.h"
 #include "engine/small_motions/vibration/floquet.h"
 #include "engine/small_motions/vibration/periodic_orbit.h"
 #include "engine/small_motions/vibration/support_names.h"
@@ -70,15 +71,22 @@ std::string find_pattern(std::size_t i, const VectorXcd& x, const Periodically& 
   return name_pattern(subsystems, azimuths);
 }
 
+/// A mode without a number in its name, which is that of its pattern.
+struct UnnumberedMode {
+  Mode mode;
+  std::string rotors{};  ///< before its name
+};
+
 /// Returns a mode by its strongest harmonic, its name without a number: kind and pattern. `kinds`:
 /// by whose modes they are.
-Mode make_periodic_mode(const PeriodicMode& periodic, const Periodically& rotor,
-                        std::map<std::string, KindNames>& kinds) {
+UnnumberedMode make_periodic_mode(const PeriodicMode& periodic, const Periodically& rotor,
+                                  std::map<std::string, KindNames>& kinds) {
   const Linearised& all = rotor.all;
   const VectorXcd x =
       strongest(periodic) / std::sqrt(calc_mass(strongest(periodic), rotor.system.M.parts[0]));
   const VectorXcd hub = x.head(rotor.system.hub);
-  Mode mode = make_mode({is_rigid(periodic, rotor.system.speed) ? 0.0 : periodic.s, {}});
+  UnnumberedMode made{make_mode({is_rigid(periodic, rotor.system.speed) ? 0.0 : periodic.s, {}})};
+  Mode& mode = made.mode;
   mode.coordinates = x;
   mode.harmonics = list_harmonics(periodic, rotor.system);
   set_hub_motion(hub, all, mode);
@@ -86,11 +94,13 @@ Mode make_periodic_mode(const PeriodicMode& periodic, const Periodically& rotor,
   constexpr double kAlike = 1e-6;  // of subsystems that move equally the first one counts
   std::size_t most = 0;
   SubsystemShape largest;
+  std::vector<double> motions;
   for (std::size_t i = 0; i < all.model.subsystems(); ++i) {
     SubsystemShape shape = calc_subsystem_shape(
         i, all.equilibrium.q[i], all.linear.motion_of(i, rotor.part_of(i, x), hub), all.model);
     energies.add(i, shape);
     add_shape(i, shape, all.model, mode);
+    motions.push_back(shape.total());
     if (all.model.stands(i) || shape.total() <= largest.total() * (1.0 + kAlike)) continue;
     largest = std::move(shape);
     most = i;
@@ -105,16 +115,18 @@ Mode make_periodic_mode(const PeriodicMode& periodic, const Periodically& rotor,
   mode.weighed = energies.weigh(hub, carried);
   if (all.linear.support && is_of_support(mode.energy)) {
     mode.kind = name_support_motion(hub, all);
-    return mode;
+    return made;
   }
   if (largest.total() == 0.0 || (of_hub > 0.5 && largest.total() < 0.25)) {
     mode.kind = "hub";
-    return mode;
+    return made;
   }
-  mode.kind = kinds[mode.of].name(list_independent(most, all.linear, all.model),
-                                  rotor.part_of(most, x), all.linear.subsystem(most).M, largest);
+  made.rotors = name_rotors(motions, all.model);
+  mode.kind = kinds[made.rotors + mode.of].name(list_independent(most, all.linear, all.model),
+                                                rotor.part_of(most, x),
+                                                all.linear.subsystem(most).M, largest);
   if (hub.size() > 0) mode.name = find_pattern(most, x, rotor);
-  return mode;
+  return made;
 }
 
 /// Takes a rotor to standing axes at the hub. What springs do that its hub turns against, which
@@ -139,19 +151,46 @@ PeriodicSystem make_periodic_of(const Linearised& all, const StandingAxes& axes)
   return system;
 }
 
+/// Returns the standing axes of all hubs, by the azimuth of the first one that turns: the others
+/// are as fast as it, or turn against it, or stand.
+StandingAxes make_axes(const steady::SteadyModel& model) {
+  const std::vector<int>& components = model.free_components();
+  const steady::SupportedModel* machine = model.on_support();
+  if (!machine || machine->rotors() == 1)
+    return make_standing_axes(components, model.is_spatial(), model.speed());
+  const Index count = 6 * static_cast<Index>(machine->rotors());
+  const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(count, count);
+  StandingAxes all{{zero, zero, zero}, zero};
+  for (std::size_t r = 0; r < machine->rotors(); ++r) {
+    const Index at = 6 * static_cast<Index>(r);
+    const double speed = machine->parts(r).speed;
+    const StandingAxes own = make_standing_axes(components, true, speed);
+    if (all.speed == 0.0) all.speed = speed;
+    const double sense = (speed > 0.0) == (all.speed > 0.0) ? 1.0 : -1.0;
+    all.W.block<6, 6>(at, at) = own.W;
+    all.T.mean.block<6, 6>(at, at) = speed == 0.0 ? own.T.at(0.0) : own.T.mean;
+    if (speed == 0.0) continue;
+    all.T.cosine.block<6, 6>(at, at) = own.T.cosine;
+    all.T.sine.block<6, 6>(at, at) = sense * own.T.sine;
+  }
+  return all;
+}
+
 }  // namespace
 
 void add_floquet_modes(const ModeCount& count, const Linearised& all, steady::SteadyModel* whole,
                        ModesResult& result) {
-  const StandingAxes axes =
-      make_standing_axes(all.model.free_components(), all.model.is_spatial(), all.model.speed());
+  const StandingAxes axes = make_axes(all.model);
   PeriodicSystem system = make_periodic_of(all, axes);
   if (const auto& support = all.linear.support)
     system = stand_on(system, support->J, {support->M, support->C, support->K});
   if (system.size() == 0)
     throw InputError("nothing of the model moves, expected a body or a joint that does");
-  system.alike = all.linear.alike;
-  system.azimuths = all.model.azimuths();
+  if (const steady::SupportedModel* machine = all.model.on_support();
+      !machine || machine->rotors() == 1) {
+    system.alike = all.linear.alike;
+    system.azimuths = all.model.azimuths();
+  }
   const Index wanted = find_count(count, system.size(), "the model", result);
   require_periodic(system);
   if (whole && can_have_orbit(all))
@@ -165,14 +204,14 @@ void add_floquet_modes(const ModeCount& count, const Linearised& all, steady::St
     // Two multipliers of one belong to each motion that goes on.
     if (is_rigid(periodic, system.speed) && ++standing % 2 == 0) continue;
     if (std::ssize(result.modes) == wanted) break;
-    Mode mode = make_periodic_mode(periodic, rotor, kinds);
+    auto [mode, rotors] = make_periodic_mode(periodic, rotor, kinds);
     const std::string pattern = mode.kind == "hub" || mode.name.empty() ? "" : ' ' + mode.name;
     mode.kind = kind_with_damping(mode.kind, mode.eigenvalue, mode.frequency);
     const std::string kind = mode.eigenvalue == 0.0 ? "rigid motion" : mode.kind;
     const std::string after = mode.eigenvalue == 0.0 ? "" : pattern;
-    const int number = ++numbers[mode.of + kind + after];
+    const int number = ++numbers[mode.of + rotors + kind + after];
     const bool is_alone = number == 1 && all.linear.support && is_of_support(mode.energy);
-    mode.name = kind + (is_alone ? "" : ' ' + std::to_string(number)) + after;
+    mode.name = rotors + kind + (is_alone ? "" : ' ' + std::to_string(number)) + after;
     result.modes.push_back(std::move(mode));
   }
 }

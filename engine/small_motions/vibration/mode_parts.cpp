@@ -100,7 +100,7 @@ void add_shape(std::size_t subsystem, const SubsystemShape& shape, SteadyModel& 
   mode.solids.push_back(shape.solids);
   if (model.stands(subsystem)) return;
   const HubShape hub = mode.hubs.empty() ? HubShape{mode.hub_displacement, mode.hub_rotation}
-                                          : mode.hubs[model.on_support()->rotor_of(subsystem)];
+                                         : mode.hubs[model.on_support()->rotor_of(subsystem)];
   for (std::size_t k = 0; k < places.size(); ++k) {
     const Eigen::Vector3cd p = places[k].p.cast<std::complex<double>>();
     nodes[k] += hub.displacement + hub.rotation.cross(p);
@@ -114,6 +114,15 @@ Eigen::MatrixXd calc_carried_mass(const steady::LinearModel& linear) {
 
 Features list_features(const SubsystemShape& shape) {
   return {shape.motions[2], shape.motions[1], shape.motions[3], shape.motions[0]};
+}
+
+std::string name_rotors(const std::vector<double>& motions, const SteadyModel& model) {
+  const steady::SupportedModel* machine = model.on_support();
+  if (!machine) return {};
+  std::vector<double> by_rotor(machine->rotors());
+  for (std::size_t i = 0; i < machine->support_index(); ++i)
+    by_rotor[machine->rotor_of(i)] += motions[i];
+  return machine->name_rotors(by_rotor);
 }
 
 std::vector<std::string> list_bodies(const Linearised& all) {

@@ -88,6 +88,10 @@ Eigen::MatrixXd calc_carried_mass(const steady::LinearModel& linear);
 /// apart.
 Features list_features(const SubsystemShape& shape);
 
+/// Returns what is before the name of a mode of several rotors on a support, see
+/// SupportedModel::name_rotors(). `motions`: by subsystem, as large as energies.
+std::string name_rotors(const std::vector<double>& motions, const steady::SteadyModel& model);
+
 /// Returns the names of bodies for ModesResult::bodies.
 std::vector<std::string> list_bodies(const Linearised& all);
 

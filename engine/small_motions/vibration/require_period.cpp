@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 #include <vector>
 
@@ -37,12 +38,15 @@ bool have_one_speed(const std::vector<std::size_t>& rotors, const steady::Suppor
 
 void require_period(const Linearised& all, const std::string& before) {
   const steady::SupportedModel* machine = all.model.on_support();
-  if (!machine || machine->rotors() == 1) return;
+  if (!machine) return;
+  std::vector<std::size_t> rotors(machine->rotors());
+  std::iota(rotors.begin(), rotors.end(), std::size_t{0});
+  if (have_one_speed(rotors, *machine)) return;
   const std::vector<std::size_t> uneven = list_uneven(*machine, all);
   std::ostringstream text;
-  text << before << "the frame \"floquet\" expects one rotor, got " << machine->rotors();
+  text << before << "the frame \"floquet\" expects rotors that are equally fast";
   if (uneven.empty()) {
-    text << ": of several the frame \"fixed\" has modes";
+    text << ": of these the frame \"fixed\" has modes";
     throw InputError(text.str());
   }
   for (std::size_t k = 0; k < uneven.size(); ++k) {
@@ -52,7 +56,7 @@ void require_period(const Linearised& all, const std::string& before) {
   }
   text << (uneven.size() == 1 ? " is" : " are") << " not alike in all directions: "
        << (have_one_speed(uneven, *machine)
-               ? "the period of one rotor among others is not built"
+               ? "their period among other rotors is not built"
                : "speeds that differ have no common period, so that there are no modes")
        << "; runs have them";
   throw InputError(text.str());

@@ -1,6 +1,6 @@
 #pragma once
 
-// Several rotors that are not alike in all directions.
+// Several rotors at speeds of their own.
 
 #include <string>
 
@@ -8,9 +8,9 @@
 
 namespace spoke::vibration {
 
-/// Throws InputError if a model has several rotors: Floquet's theory is built for one. Says whether
-/// those that are not alike in all directions have a common period. `before`: what the message
-/// begins with.
+/// Throws InputError if a model has several rotors that turn, but not equally fast in either sense:
+/// Floquet's theory needs one period. Says whether those that are not alike in all directions have
+/// one. `before`: what the message begins with.
 void require_period(const Linearised& all, const std::string& before);
 
 }  // namespace spoke::vibration

@@ -172,17 +172,6 @@ Features list_coupled_features(const Eigen::VectorXcd& x, const Pencil& pencil,
   return features;
 }
 
-/// Returns what is before the name of a mode in which subsystems have these shapes, of several
-/// rotors on a support.
-std::string name_rotors(const std::vector<SubsystemShape>& shapes, const Linearised& all) {
-  const steady::SupportedModel* machine = all.model.on_support();
-  if (!machine) return {};
-  std::vector<double> motions(machine->rotors());
-  for (std::size_t i = 0; i < machine->support_index(); ++i)
-    motions[machine->rotor_of(i)] += shapes[i].total();
-  return machine->name_rotors(motions);
-}
-
 /// A mode, whose name is that of its pattern.
 struct CoupledMode {
   Mode mode;
@@ -233,7 +222,10 @@ CoupledMode make_coupled_mode(const Root& root, const Pencil& pencil, const Line
                   : kinds.name(vibration::list_independent(most, all.linear, all.model), x,
                                all.linear.subsystem(most).M, shapes[most]);
   mode.name = find_pattern(most, pencil, root.x, all);
-  if (mode.kind != "hub") made.rotors = name_rotors(shapes, all);
+  if (mode.kind == "hub") return made;
+  std::vector<double> motions;
+  for (const SubsystemShape& shape : shapes) motions.push_back(shape.total());
+  made.rotors = vibration::name_rotors(motions, all.model);
   return made;
 }
 

@@ -30,9 +30,9 @@ struct RotorText {
   std::string place = "[0, 0, 0]";  ///< on the carrier
   std::string hub = "mass = 2.0, inertia = 0.3";
   int blades = 0;
-  std::string drive = {};       ///< in place of a constant speed
-  double mass_factor = 1.0;     ///< of blades
-  std::string blade_more = {};  ///< keys of [blade]
+  std::string drive = {};                           ///< in place of a constant speed
+  double mass_factor = 1.0;                         ///< of blades
+  std::string size = "bodies = 2\nelements = 2\n";  ///< of blades
 
   std::string text() const {
     const std::string of = name.empty() ? "" : "rotor.";
@@ -48,9 +48,8 @@ struct RotorText {
     }
     if (blades == 0) return all;
     const auto scaled = [&](double value) { return std::to_string(mass_factor * value) + "\n"; };
-    return all + "[" + of + "blade]\ncount = " + std::to_string(blades) +
-           "\nlength = 2.0\nbodies = 2\nelements = 2\n" + blade_more + "[" + of +
-           "blade.sections]\nmass_per_length = " + scaled(2.0) +
+    return all + "[" + of + "blade]\ncount = " + std::to_string(blades) + "\nlength = 2.0\n" +
+           size + "[" + of + "blade.sections]\nmass_per_length = " + scaled(2.0) +
            "axial_stiffness = " + scaled(2e6) + "flap_stiffness = " + scaled(2e3) +
            "lag_stiffness = " + scaled(2e4) + "torsion_stiffness = " + scaled(2e3);
   }
@@ -306,6 +305,43 @@ TEST_CASE("several rotors: ground resonance sets on where it does without a smal
   CHECK(find("main", {tail}) == Approx(find("", {})).epsilon(1e-5));
 }
 
+TEST_CASE("several rotors: Floquet's exponents are those of constant matrices, and of one alone") {
+  constexpr double kSpeed = 20.0;
+  const auto of = [](const std::string& name, double speed, int blades, const std::string& place) {
+    return RotorText{.name = name,
+                     .speed = speed,
+                     .place = place,
+                     .blades = blades,
+                     .size = "bodies = 1\nelements = 1\n"};
+  };
+  // The frequencies of both frames differ by multiples of the speed.
+  const auto distance = [](double w, const std::vector<Mode>& modes) {
+    double least = 1e300;
+    for (const Mode& mode : modes)
+      for (const double sign : {-1.0, 1.0})
+        least = std::min(least, std::abs(std::remainder(w + sign * mode.frequency, kSpeed)));
+    return least;
+  };
+  const Scenario even = make(kSprings, {of("left", kSpeed, 3, "[0, 2.5, 1]"),
+                                        of("right", -kSpeed, 3, "[0.2, -2.5, 1]"),
+                                        {.name = "still", .hub = "mass = 3.0, inertia = 0.4"}});
+  const ModesResult periodic = solve_modes(even, {.count = 16, .frame = ModeFrame::floquet});
+  for (const Mode& mode : solve_modes(even, {.count = 10}).modes)
+    CHECK(distance(mode.frequency, periodic.modes) < 1e-6 * kSpeed);
+  const Scenario alone = make(kSprings, {of("", kSpeed, 2, "[0.3, 0.2, 1]")});
+  const RotorText small{.name = "tail",
+                        .speed = -kSpeed,
+                        .place = "[-3, 0, 0.5]",
+                        .hub = "axis = [0, 1, 0], mass = 1e-7, inertia = 1e-8"};
+  const ModesResult one = solve_modes(alone, {.count = 8});
+  const ModesResult two =
+      solve_modes(make(kSprings, {of("main", kSpeed, 2, "[0.3, 0.2, 1]"), small}), {.count = 8});
+  CHECK(two.frame == ModeFrame::floquet);
+  REQUIRE(two.modes.size() == one.modes.size());
+  for (std::size_t k = 0; k < one.modes.size(); ++k)
+    CHECK(two.modes[k].frequency == Approx(one.modes[k].frequency).epsilon(1e-6));
+}
+
 TEST_CASE("several rotors: what has no constant matrices is refused with its reason") {
   const auto refused = [](double first, double second, int first_blades, int second_blades,
                           std::optional<ModeFrame> frame) {
@@ -315,27 +351,23 @@ TEST_CASE("several rotors: what has no constant matrices is refused with its rea
                   {.frame = frame});
     });
   };
+  const std::string equally = "the frame \"floquet\" expects rotors that are equally fast";
   CHECK(refused(20.0, 31.0, 2, 2, {}) ==
         "the frame \"fixed\" expects three or more equal blades, got 2 of the kind of blade 1, "
-        "blade 2; the frame \"floquet\" expects one rotor, got 2, of which \"one\" (20 rad/s), "
-        "\"two\" (31 rad/s) are not alike in all directions: speeds that differ have no common "
-        "period, so that there are no modes; runs have them");
-  const std::string not_built =
-      " not alike in all directions: the period of one rotor among others is not built; runs have "
-      "them";
-  CHECK(refused(20.0, -20.0, 2, 2, ModeFrame::floquet) ==
-        "the frame \"floquet\" expects one rotor, got 2, of which \"one\" (20 rad/s), \"two\" (-20 "
-        "rad/s) are" +
-            not_built);
+        "blade 2; " +
+            equally +
+            ", of which \"one\" (20 rad/s), \"two\" (31 rad/s) are not alike in all directions: "
+            "speeds that differ have no common period, so that there are no modes; runs have them");
   CHECK(refused(20.0, -31.0, 3, 1, ModeFrame::floquet) ==
-        "the frame \"floquet\" expects one rotor, got 2, of which \"two\" (-31 rad/s) is" +
-            not_built);
-  CHECK(refused(0.0, 0.0, 2, 1, {}) == "no error");
+        equally +
+            ", of which \"two\" (-31 rad/s) is not alike in all directions: their period among "
+            "other rotors is not built; runs have them");
+  CHECK(refused(20.0, 31.0, 3, 3, ModeFrame::floquet) ==
+        equally + ": of these the frame \"fixed\" has modes");
   CHECK(refused(20.0, 31.0, 3, 3, ModeFrame::turning) ==
         "the frame \"turning\" expects a hub whose support does not move, or a speed of 0: on a "
         "support the frames \"fixed\" and \"floquet\" have modes");
-  CHECK(refused(20.0, 31.0, 3, 3, ModeFrame::floquet) ==
-        "the frame \"floquet\" expects one rotor, got 2: of several the frame \"fixed\" has modes");
+  CHECK(refused(0.0, 0.0, 2, 1, {}) == "no error");
 }
 
 TEST_CASE("several rotors: linear models and performance are of one") {
