@@ -21,8 +21,8 @@ std::vector<spatial::Tree> take_trees(const std::vector<spatial::Tree>& trees, i
 /// Returns the numbers of these trees among all.
 std::vector<std::size_t> list_trees(const std::vector<spatial::Tree>& trees, int rotor);
 
-/// Returns the sensors of a model that are on a rotor, for without_support(); those of the first rotor
-/// with all that are on no subsystem.
+/// Returns the sensors of a model that are on a rotor, for without_support(); those of the first
+/// rotor with all that are on no subsystem.
 std::vector<Sensor> take_sensors(const std::vector<Sensor>& sensors, const spatial::Model& model,
                                  int rotor);
 

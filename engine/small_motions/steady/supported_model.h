@@ -82,8 +82,8 @@ class SupportedModel final : public SteadyModel {
                         DeadLoads loads) const;
 
   /// Returns what is before the name of a motion of rotors, of several: of those that move not much
-  /// less than the one that moves most, "tail: ", "front + rear: ". `motions`: by rotor, as large as
-  /// energies; those that are missing are none.
+  /// less than the one that moves most, "tail: ", "front + rear: ". `motions`: by rotor, as large
+  /// as energies; those that are missing are none.
   std::string name_rotors(const std::vector<double>& motions) const;
 
   SupportedModel* on_support() override { return this; }
