@@ -14,6 +14,7 @@
 #include "engine/modes.h"
 #include "engine/performance.h"
 #include "engine/simulation.h"
+#include "engine/small_motions/vibration/frequency_limits.h"
 #include "models/scenario.h"
 #include "tests/message_of.h"
 
@@ -368,6 +369,19 @@ TEST_CASE("several rotors: what has no constant matrices is refused with its rea
         "the frame \"turning\" expects a hub whose support does not move, or a speed of 0: on a "
         "support the frames \"fixed\" and \"floquet\" have modes");
   CHECK(refused(0.0, 0.0, 2, 1, {}) == "no error");
+}
+
+TEST_CASE("several rotors: those that are equal set the limits of one, and of what carries them") {
+  const auto find = [](const std::vector<RotorText>& rotors) {
+    return vibration::find_frequency_limits(make("kind = \"fixed\"", rotors));
+  };
+  const vibration::FrequencyLimits one = find({{.speed = 20.0, .blades = 3}});
+  const vibration::FrequencyLimits two =
+      find({{.name = "left", .speed = 20.0, .place = "[0, 2.5, 1]", .blades = 3},
+            {.name = "right", .speed = 20.0, .place = "[0, -2.5, 1]", .blades = 3}});
+  CHECK(two.lowest == Approx(one.lowest).epsilon(1e-9));
+  CHECK(two.highest == Approx(one.highest).epsilon(1e-9));
+  CHECK(two.rk4.step == Approx(one.rk4.step).epsilon(1e-9));
 }
 
 TEST_CASE("several rotors: linear models and performance are of one") {
