@@ -5,10 +5,10 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
-#include <map>
 #include <utility>
 #include <vector>
 

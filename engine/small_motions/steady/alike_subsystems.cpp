@@ -5,8 +5,6 @@
 #include <cmath>
 #include <random>
 
-#include "engine/small_motions/steady/supported_model.h"
-
 namespace spoke::steady {
 namespace {
 
@@ -69,13 +67,6 @@ bool are_alike(std::size_t a, std::size_t b, SteadyModel& model) {
          are_equal(closures_of(a, state, model), closures_of(b, state, model));
 }
 
-/// Whether one hub carries two subsystems.
-bool share_hub(std::size_t a, std::size_t b, const SteadyModel& model) {
-  const SupportedModel* machine = model.on_support();
-  if (!machine) return true;
-  return !machine->stands(a) && !machine->stands(b) && machine->rotor_of(a) == machine->rotor_of(b);
-}
-
 bool are_alike_about_hub(std::size_t a, std::size_t b, const VectorXd& q, SteadyModel& model) {
   Dice dice;
   const SubsystemState state =
@@ -102,7 +93,8 @@ std::vector<std::size_t> find_alike(SteadyModel& model) {
   for (std::size_t i = 0; i < alike.size(); ++i) {
     alike[i] = i;
     for (std::size_t k = 0; k < i && alike[i] == i; ++k)
-      if (alike[k] == k && share_hub(k, i, model) && are_alike(k, i, model)) alike[i] = k;
+      if (alike[k] == k && model.hub_of(k) == model.hub_of(i) && are_alike(k, i, model))
+        alike[i] = k;
   }
   return alike;
 }

@@ -182,6 +182,8 @@ class SteadyModel {
   /// Whether a subsystem is a support: it is in the frame of its base, which stands, rather than in
   /// that of the hub.
   virtual bool stands(std::size_t) const { return false; }
+  /// Returns a number of the hub that carries a subsystem; a support has one of its own.
+  virtual std::size_t hub_of(std::size_t) const { return 0; }
   virtual std::size_t subsystems() const = 0;
   virtual const std::string& name_of(std::size_t subsystem) const = 0;
   virtual const std::vector<std::string>& body_names(std::size_t subsystem) const = 0;

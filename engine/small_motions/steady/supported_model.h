@@ -88,6 +88,7 @@ class SupportedModel final : public SteadyModel {
 
   SupportedModel* on_support() override { return this; }
   bool stands(std::size_t subsystem) const override { return subsystem == support_index(); }
+  std::size_t hub_of(std::size_t i) const override { return stands(i) ? rotors() : rotor_of(i); }
 
   double speed_of(std::size_t i) const override { return stands(i) ? speed_ : of(i).speed(); }
   bool turns() const override;
