@@ -105,7 +105,7 @@ Eigen::VectorXd find_generator(const RotorParts& rotor, const SteadyModel& model
 Eigen::VectorXd add_shaft(Index axle, const RotorParts& rotor, const SteadyModel& model,
                           LinearSupport& support) {
   const spatial::DriveTrain& train = *rotor.train;
-  const Eigen::VectorXd generator = find_generator(rotor, model, support) / train.gear_ratio;
+  Eigen::VectorXd generator = find_generator(rotor, model, support) / train.gear_ratio;
   const Eigen::VectorXd turn = Eigen::VectorXd::Unit(generator.size(), axle) - generator;
   const MatrixXd missing = turn * turn.transpose() - generator * generator.transpose();
   support.K += train.stiffness * missing;
