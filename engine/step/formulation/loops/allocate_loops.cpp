@@ -113,17 +113,24 @@ std::vector<int> order_loops(const LoopData<World>& loops,
   return order;
 }
 
-/// Orders the rows, and returns the first column of each in this order.
+/// Returns by loop those others that share a body with it.
 template <class World>
-std::vector<int> order_rows(LoopData<World>& loops) {
-  const std::size_t count = loops.paths.size();
-  std::vector<std::vector<int>> neighbours(count);
-  for (std::size_t a = 0; a < count; ++a)
+std::vector<std::vector<int>> list_neighbours(const LoopData<World>& loops) {
+  std::vector<std::vector<int>> neighbours(loops.paths.size());
+  for (std::size_t a = 0; a < neighbours.size(); ++a)
     for (const int b : loops.meets[a]) {
       if (std::cmp_equal(a, b)) continue;
       neighbours[a].push_back(b);
       neighbours[static_cast<std::size_t>(b)].push_back(static_cast<int>(a));
     }
+  return neighbours;
+}
+
+}  // namespace
+
+template <class World>
+std::vector<int> order_rows(const std::vector<std::vector<int>>& neighbours,
+                            LoopData<World>& loops) {
   loops.place_of.resize(loops.use.size());
   for (const int k : order_loops(loops, neighbours)) {
     const LoopPath& path = loops.paths[static_cast<std::size_t>(k)];
@@ -133,7 +140,7 @@ std::vector<int> order_rows(LoopData<World>& loops) {
     }
   }
   std::vector<int> first(loops.use.size());
-  for (std::size_t a = 0; a < count; ++a) {
+  for (std::size_t a = 0; a < neighbours.size(); ++a) {
     const auto place_of_loop = [&loops](std::size_t k) {
       return loops.place_of[static_cast<std::size_t>(loops.paths[k].first_row)];
     };
@@ -145,8 +152,6 @@ std::vector<int> order_rows(LoopData<World>& loops) {
   }
   return first;
 }
-
-}  // namespace
 
 template <class World>
 void allocate_loops(const Subsystem<World>& subsystem, SubsystemData<World>& data) {
@@ -170,7 +175,7 @@ void allocate_loops(const Subsystem<World>& subsystem, SubsystemData<World>& dat
   loops.branches = ArenaVector<TwistOf<World>>(last.first_branch + last.branches(), none, arena);
   loops.scratch = ArenaVector<TwistOf<World>>(
       last.first_handle + static_cast<std::size_t>(last.handles), none, arena);
-  loops.matrix = Skyline(order_rows(loops), arena);
+  loops.matrix = Skyline(order_rows(list_neighbours(loops), loops), arena);
   loops.half_hub = ArenaVector<TwistOf<World>>(rows, none, arena);
   loops.half = ArenaVector<double>(rows, 0.0, arena);
   for (auto* pivots : {&loops.pivots, &loops.first_explicit, &loops.first_implicit})
@@ -210,6 +215,8 @@ void declare_loop_matrix(SubsystemData<World>& data) {
       maker.cover("first pivots of loops", Mark::state, loops.first_explicit, loops.first_implicit);
 }
 
+template std::vector<int> order_rows(const std::vector<std::vector<int>>&, LoopData<Plane>&);
+template std::vector<int> order_rows(const std::vector<std::vector<int>>&, LoopData<Space>&);
 template graph::PartId declare_loop_rows(std::size_t, SubsystemData<Plane>&);
 template graph::PartId declare_loop_rows(std::size_t, SubsystemData<Space>&);
 template void declare_loop_matrix(SubsystemData<Plane>&);

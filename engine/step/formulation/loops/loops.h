@@ -26,6 +26,12 @@ namespace spoke {
 template <class World>
 void allocate_loops(const Subsystem<World>& subsystem, SubsystemData<World>& data);
 
+/// Orders the rows for their elimination, and returns the first column of each in this order.
+/// `neighbours`: by loop those that have entries of D in common with it.
+template <class World>
+std::vector<int> order_rows(const std::vector<std::vector<int>>& neighbours,
+                            LoopData<World>& loops);
+
 // Declare parts of loops that a formulation solves for.
 
 /// Returns what declares the parts of loop k.

@@ -56,45 +56,22 @@ void for_open_rows(const System<World>& system, int subsystem, const StepData<Wo
   }
 }
 
-/// Orders the rows, and returns the first column of each: loops are near that visit a subsystem on
-/// the system's hub together.
+/// Returns by loop those others that visit a subsystem on the system's hub together with it.
 template <class World>
-std::vector<int> order_rows(const System<World>& system, SharedLoopData<World>& shared) {
+std::vector<std::vector<int>> list_neighbours(const System<World>& system) {
   const std::size_t count = system.shared_loops.size();
   std::vector<std::set<int>> tops(count);
   for (std::size_t k = 0; k < count; ++k)
     for_shares(system.shared_loops[k], [&](const LoopAt& share) {
       if (is_at_base(system, share.subsystem)) tops[k].insert(share.subsystem);
     });
-  const auto meet = [&](std::size_t a, std::size_t b) {
-    return std::any_of(tops[a].begin(), tops[a].end(), [&](int i) { return tops[b].contains(i); });
-  };
   std::vector<std::vector<int>> neighbours(count);
-  std::vector<int> sizes;
-  for (std::size_t a = 0; a < count; ++a) {
-    sizes.push_back(shared.rows.paths[a].rows);
+  for (std::size_t a = 0; a < count; ++a)
     for (std::size_t b = 0; b < count; ++b)
-      if (a != b && meet(a, b)) neighbours[a].push_back(static_cast<int>(b));
-  }
-  LoopData<World>& rows = shared.rows;
-  rows.place_of.resize(rows.use.size());
-  for (const int k : find_low_order(neighbours, sizes)) {
-    const LoopPath& path = rows.paths[static_cast<std::size_t>(k)];
-    for (int row = path.first_row; row < path.first_row + path.rows; ++row) {
-      rows.place_of[static_cast<std::size_t>(row)] = static_cast<int>(rows.row_at.size());
-      rows.row_at.push_back(row);
-    }
-  }
-  std::vector<int> first(rows.use.size());
-  for (std::size_t a = 0; a < count; ++a) {
-    const auto place = [&rows](std::size_t k) {
-      return rows.place_of[static_cast<std::size_t>(rows.paths[k].first_row)];
-    };
-    int column = place(a);
-    for (const int b : neighbours[a]) column = std::min(column, place(static_cast<std::size_t>(b)));
-    std::fill_n(first.begin() + place(a), rows.paths[a].rows, column);
-  }
-  return first;
+      if (a != b &&
+          std::any_of(tops[a].begin(), tops[a].end(), [&](int i) { return tops[b].contains(i); }))
+        neighbours[a].push_back(static_cast<int>(b));
+  return neighbours;
 }
 
 }  // namespace
@@ -128,7 +105,7 @@ void allocate_shared_loops(const System<World>& system, StepData<World>& data) {
   Arena& arena = *data.subsystems[static_cast<std::size_t>(shared.subsystems.front())].arena;
   const TwistOf<World> none = TwistOf<World>::Zero();
   rows.states = ArenaVector<LoopRowState<World>>(count, arena);
-  rows.matrix = Skyline(order_rows(system, shared), arena);
+  rows.matrix = Skyline(order_rows(list_neighbours(system), rows), arena);
   for (auto* columns : {&rows.hub, &rows.half_hub})
     *columns = ArenaVector<TwistOf<World>>(count, none, arena);
   for (auto* values : {&rows.free, &rows.half, &rows.multipliers})
