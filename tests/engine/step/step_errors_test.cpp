@@ -395,8 +395,7 @@ TEST_CASE("a hub without mass on a support leaves rigid bodies the length that e
 hub = { inertia = 5.0, drive = { kind = 'constant', speed = 3.0 } }
 [support]
 body = [ { name = 'stage', kind = 'rigid', mass = 2.0, inertia = 1.0 } ]
-joint = [ { parent = 'ground', child = 'stage', kind = 'prismatic', axis = [1, 0, 0], initial = 0.1,
-            stiffness = 200.0 } ]
+joint = [ { parent = 'ground', child = 'stage', kind = 'prismatic', axis = [1, 0, 0], initial = 0.1, stiffness = 200.0 } ]
 axle = { body = 'stage' }
 [[subsystem]]
 name = 'arm'
