@@ -6,8 +6,7 @@
 set -euo pipefail
 source=$1 work=$2 cmake=$3 compiler=$4 program=$5
 rm -rf "$work"
-"$cmake" -G Ninja -S "$source" -B "$work/build" -DCMAKE_UNITY_BUILD=ON -DSPOKE_UNITY_SIZE=24 \
-  -DCMAKE_CXX_COMPILER="$compiler" \
+"$cmake" -G Ninja -S "$source" -B "$work/build" -DCMAKE_UNITY_BUILD=ON -DCMAKE_CXX_COMPILER="$compiler" \
   -DSPOKE_TESTS=OFF -DSPOKE_EXAMPLES=OFF -DSPOKE_PYTHON=OFF -DSPOKE_MPI=OFF -DSPOKE_VIEWER=OFF \
   -DSPOKE_WARNINGS_AS_ERRORS="${SPOKE_WARNINGS_AS_ERRORS:-OFF}" \
   -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS_RELEASE="-O0 -DNDEBUG"
