@@ -80,7 +80,10 @@ std::vector<std::size_t> list_trees(const std::vector<spatial::Tree>& trees, int
 
 std::vector<spatial::Tree> take_trees(const std::vector<spatial::Tree>& trees, int rotor) {
   std::vector<spatial::Tree> taken;
-  for (const std::size_t i : list_trees(trees, rotor)) taken.push_back(trees[i]);
+  for (const std::size_t i : list_trees(trees, rotor)) {
+    taken.push_back(trees[i]);
+    taken.back().rotor = 0;  // as in the model of this rotor alone
+  }
   return taken;
 }
 
