@@ -23,8 +23,8 @@ class StepTable {
 
   Window window;
   /// One progress and one hub motion for all subsystems, because the hub has a free coordinate, the
-  /// formulation solves for all at once, or a load of the user's acts between subsystems. Else each
-  /// has its own.
+  /// formulation solves for all at once, or a load of the user's or a loop is between subsystems.
+  /// Else each has its own.
   bool is_coupled = false;
   std::vector<StepProgress> progress;  ///< one, or one for each subsystem
 

@@ -23,7 +23,8 @@ namespace {
 struct MachineRotor {
   System<Space> system;
   std::vector<spatial::Tree> trees;
-  std::size_t blades = 0;  ///< how many of the trees are blades
+  std::vector<std::size_t> numbers;  ///< of these among all trees
+  std::size_t blades = 0;            ///< how many of the trees are blades
   Ballast ballast;
 };
 
@@ -61,6 +62,7 @@ MachineRotor make_machine_rotor(const spatial::Model& model, int number,
                                 const solid::Control& control) {
   MachineRotor rotor;
   rotor.trees = take_trees(trees, number);
+  rotor.numbers = list_trees(trees, number);
   spatial::Model taken = without_support(model, number);
   if (!winds.of_rotors.empty()) taken.air->wind = winds.of_rotors[static_cast<std::size_t>(number)];
   rotor.blades = taken.blades.size();
@@ -137,7 +139,7 @@ std::unique_ptr<SteadyModel> make_rotor(const MachineRotor& rotor, const Eigen::
 /// Returns a rotor of a machine as a supported model has it.
 RotorParts describe_rotor(const Scenario& scenario, int number,
                           const std::shared_ptr<const Machine>& machine,
-                          const std::vector<spatial::Tree>& trees, const SteadyOptions& options) {
+                          const SteadyOptions& options) {
   const spatial::Model& model = *scenario.space;
   const auto at = static_cast<std::size_t>(number);
   SteadyOptions own = options;
@@ -153,7 +155,7 @@ RotorParts describe_rotor(const Scenario& scenario, int number,
   const Drive& drive = hub_of(model, number).drive;
   parts.name = hub_of(model, number).name;
   parts.prefix = prefix_of_rotor(model, number);
-  parts.subsystems = list_trees(trees, number);
+  parts.subsystems = machine->rotors[at].numbers;
   parts.body = static_cast<int>(find_hub(machine->support_tree.front(), number));
   parts.speed = own.speed;
   parts.ballast = mass_of(machine->rotors[at].ballast);
@@ -185,10 +187,9 @@ std::unique_ptr<SteadyModel> make_supported(const Scenario& scenario, const Stea
                                             const SteadyOptions& options) {
   const spatial::Model& model = *scenario.space;
   const std::shared_ptr<const Machine> machine = make_machine(model, winds, options);
-  const std::vector<spatial::Tree> trees = build_trees(model);
   SupportedParts parts;
   for (int r = 0; r < count_rotors(model); ++r)
-    parts.rotors.push_back(describe_rotor(scenario, r, machine, trees, options));
+    parts.rotors.push_back(describe_rotor(scenario, r, machine, options));
   parts.support =
       [=, hubs = parts.rotors, sensors = choose_support_sensors(scenario.sensors),
        loops = make_loop_limits(scenario.integration)](const std::vector<HubVector>& wrenches) {

@@ -88,6 +88,10 @@ LoopKinematics<World>::LoopKinematics(SystemContext<World>& context, const LoopG
     if (!context.data.is_coupled) data(i).prescribed = calc_prescribed_motion(context.system, 0.0);
     prescribe_joints(context.system, 0.0, i, context.data);
   }
+  for (const SharedLoop& loop : context.system.shared_loops)
+    if (std::find(group.begin(), group.end(), static_cast<std::size_t>(loop.own.subsystem)) !=
+        group.end())
+      shared_.push_back(&loop);
   list_coordinates();
   list_rows();
 }
@@ -138,11 +142,12 @@ void LoopKinematics<World>::evaluate() {
   for (const std::size_t i : group_) {
     update_kinematics(subsystem(i), data(i));
     calc_loop_motion(context_.system, i, t, {}, context_.data);
-    if (group_.size() == 1) return;
+    if (shared_.empty()) continue;  // places then are on one side of an axle
     for (const int rotor : find_rotors_on(context_.system, static_cast<int>(i)))
       place_rotor(context_.system, static_cast<std::size_t>(rotor), t, false, context_.data);
   }
-  calc_shared_motion(context_.system, {}, context_.data);
+  for (const SharedLoop* loop : shared_)
+    calc_shared_loop(context_.system, *loop, {}, context_.data);
 }
 
 template <class World>

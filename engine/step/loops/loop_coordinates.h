@@ -80,6 +80,7 @@ class LoopKinematics {
 
   SystemContext<World>& context_;
   const LoopGroup& group_;
+  std::vector<const SharedLoop*> shared_;  ///< loops between subsystems of the group
   std::vector<LoopCoordinate> coordinates_;
   int joint_count_ = 0;
   std::vector<SubsystemRow> rigid_rows_;

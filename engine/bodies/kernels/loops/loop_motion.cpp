@@ -61,12 +61,12 @@ struct SharedPlaces {
 };
 
 template <class World>
-SharedPlaces find_places(const System<World>& system, const SharedLoop& loop, double t,
+SharedPlaces find_places(const System<World>& system, const SharedLoop& loop,
                          const StepData<World>& data) {
   const auto own = static_cast<std::size_t>(loop.own.subsystem);
   const auto end = static_cast<std::size_t>(loop.end.subsystem);
-  const auto place_of = [&](std::size_t i, int k) {
-    return find_place(system, system.subsystems[i].loops[static_cast<std::size_t>(k)].from, t,
+  const auto place_of = [&](std::size_t i, int k) {  // on bodies, which time alone does not move
+    return find_place(system, system.subsystems[i].loops[static_cast<std::size_t>(k)].from, 0.0,
                       data.subsystems[i]);
   };
   SharedPlaces places{place_of(own, loop.own.loop), place_of(end, loop.end.loop), {}};
@@ -241,7 +241,7 @@ LoopPlaces calc_place_motions(const System<World>& system, std::size_t i, const 
     return {calc_place_motion(system, i, loop.from, t, data),
             calc_place_motion(system, i, loop.to, t, data)};
   const SharedPlaces places =
-      find_places(system, system.shared_loops[static_cast<std::size_t>(loop.shared)], t, data);
+      find_places(system, system.shared_loops[static_cast<std::size_t>(loop.shared)], data);
   return {places.from.motion, places.to.motion};
 }
 
@@ -308,10 +308,30 @@ void clear_share(LoopRowState<World>& row) {
   row.shared_compliance = row.loss = 0.0;
 }
 
-/// Sets the states of the rows of a loop between subsystems, and of its shares.
+/// Returns the row of a loop, or of a share, that is its first.
 template <class World>
-void calc_shared_rows(const System<World>& system, const SharedLoop& shared,
-                      const ClosureGains& gains, StepData<World>& table) {
+std::size_t first_row_of(const LoopAt& at, const StepData<World>& table) {
+  return static_cast<std::size_t>(table.subsystems[static_cast<std::size_t>(at.subsystem)]
+                                      .loops.paths[static_cast<std::size_t>(at.loop)]
+                                      .first_row);
+}
+
+/// Clears the rows of a share on a hub, until what comes through the hub is known.
+template <class World>
+void clear_on_hub(const SharedLoop::OnHub& at, std::size_t rows, StepData<World>& table) {
+  LoopRowState<World>* const row = &table.subsystems[static_cast<std::size_t>(at.subsystem)]
+                                        .loops.states[first_row_of(at, table)];
+  for (std::size_t r = 0; r < rows; ++r) {
+    clear_share(row[r]);
+    row[r].from.setZero();
+  }
+}
+
+}  // namespace
+
+template <class World>
+void calc_shared_loop(const System<World>& system, const SharedLoop& shared,
+                      const ClosureGains& gains, StepData<World>& table) noexcept {
   SubsystemData<World>& own = table.subsystems[static_cast<std::size_t>(shared.own.subsystem)];
   SubsystemData<World>& end = table.subsystems[static_cast<std::size_t>(shared.end.subsystem)];
   const auto loop_of = [&system](const LoopAt& at) -> const LoopModel& {
@@ -319,26 +339,16 @@ void calc_shared_rows(const System<World>& system, const SharedLoop& shared,
         .loops[static_cast<std::size_t>(at.loop)];
   };
   const LoopModel &loop = loop_of(shared.own), &share = loop_of(shared.end);
-  const auto [from, to, to_own] = find_places(system, shared, 0.0, table);
+  const auto [from, to, to_own] = find_places(system, shared, table);
   TwistOf<World> of_from = TwistOf<World>::Zero(), of_to = of_from;  // by the last iterate
   if (gains.position > 0.0) {
     of_from = calc_loop_acceleration(own, loop.from.body, loop.from.handle);
     of_to = calc_loop_acceleration(end, share.from.body, share.from.handle);
   }
-  LoopRowState<World>* const rows =
-      &own.loops.states[own.loops.paths[static_cast<std::size_t>(shared.own.loop)].first_row];
-  LoopRowState<World>* const shares =
-      &end.loops.states[end.loops.paths[static_cast<std::size_t>(shared.end.loop)].first_row];
-  const std::size_t first = own.loops.paths[static_cast<std::size_t>(shared.own.loop)].first_row;
-  for (const SharedLoop::OnHub& at : shared.on_hubs) {
-    LoopData<World>& loops = table.subsystems[static_cast<std::size_t>(at.subsystem)].loops;
-    LoopRowState<World>* const row =
-        &loops.states[loops.paths[static_cast<std::size_t>(at.loop)].first_row];
-    for (std::size_t r = 0; r < loop.rows.size(); ++r) {
-      clear_share(row[r]);
-      row[r].from.setZero();  // until what comes through the hub is known
-    }
-  }
+  const std::size_t first = first_row_of(shared.own, table);
+  LoopRowState<World>* const rows = &own.loops.states[first];
+  LoopRowState<World>* const shares = &end.loops.states[first_row_of(shared.end, table)];
+  for (const SharedLoop::OnHub& at : shared.on_hubs) clear_on_hub(at, loop.rows.size(), table);
   for (std::size_t r = 0; r < loop.rows.size(); ++r) {
     clear_share(rows[r]);
     clear_share(shares[r]);
@@ -357,12 +367,10 @@ void calc_shared_rows(const System<World>& system, const SharedLoop& shared,
   if (loop.bearing) set_bearing(*loop.bearing, from, to, gains, rows);
 }
 
-}  // namespace
-
 template <class World>
 void calc_shared_motion(const System<World>& system, const ClosureGains& gains,
                         StepData<World>& table) noexcept {
-  for (const SharedLoop& loop : system.shared_loops) calc_shared_rows(system, loop, gains, table);
+  for (const SharedLoop& loop : system.shared_loops) calc_shared_loop(system, loop, gains, table);
 }
 
 template <class World>
@@ -419,6 +427,8 @@ template PlaceMotion calc_place_motion(const System<Plane>&, std::size_t, const 
                                        double, const StepData<Plane>&);
 template LoopPlaces calc_place_motions(const System<Plane>&, std::size_t, const LoopModel&, double,
                                        const StepData<Plane>&);
+template void calc_shared_loop(const System<Plane>&, const SharedLoop&, const ClosureGains&,
+                               StepData<Plane>&) noexcept;
 template void calc_shared_motion(const System<Plane>&, const ClosureGains&,
                                  StepData<Plane>&) noexcept;
 template SharedMotionParts parts_of_shared_motion(bool, const StepData<Plane>&);
@@ -432,6 +442,8 @@ template PlaceMotion calc_place_motion(const System<Space>&, std::size_t, const 
                                        double, const StepData<Space>&);
 template LoopPlaces calc_place_motions(const System<Space>&, std::size_t, const LoopModel&, double,
                                        const StepData<Space>&);
+template void calc_shared_loop(const System<Space>&, const SharedLoop&, const ClosureGains&,
+                               StepData<Space>&) noexcept;
 template void calc_shared_motion(const System<Space>&, const ClosureGains&,
                                  StepData<Space>&) noexcept;
 template SharedMotionParts parts_of_shared_motion(bool, const StepData<Space>&);

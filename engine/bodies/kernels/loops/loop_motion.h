@@ -77,8 +77,12 @@ void calc_loop_motion(const System<World>& system, std::size_t i, double t,
 template <class World>
 PartList parts_of_loop_motion(std::size_t i, bool has_implicit, const StepData<World>& data);
 
-/// Sets the states of the rows of loops between subsystems, and of their shares, behind those of
-/// the loops of all subsystems.
+/// Sets the states of the rows of a loop between subsystems, and of its shares, behind those of the
+/// other loops of all that it visits.
+template <class World>
+void calc_shared_loop(const System<World>& system, const SharedLoop& loop,
+                      const ClosureGains& gains, StepData<World>& data) noexcept;
+/// Sets those of all such loops.
 template <class World>
 void calc_shared_motion(const System<World>& system, const ClosureGains& gains,
                         StepData<World>& data) noexcept;
