@@ -86,6 +86,15 @@ bool is_support(const Model& model, const Subsystem& subsystem) {
   return model.support && &subsystem == &model.subsystems.back();
 }
 
+std::vector<int> find_rotors_on(const Model& model, const std::string& subsystem) {
+  std::vector<int> rotors;
+  for (int r = 0; model.support && r < count_rotors(model); ++r) {
+    const std::string& carrier = axle_of(model, r).subsystem;
+    if ((carrier.empty() ? kSupportName : carrier) == subsystem) rotors.push_back(r);
+  }
+  return rotors;
+}
+
 std::string key_of_subsystem(const Model& model, std::size_t index) {
   assert(index < model.subsystems.size());
   if (is_support(model, model.subsystems[index])) return std::string(kSupportName);

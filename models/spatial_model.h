@@ -329,9 +329,12 @@ struct Fuselage {
   Vector angular_velocity = Vector::Zero();  ///< at t = 0, its axes [rad/s]
 };
 
-/// Where the axle of the hub stands on a support.
+/// Where the axle of the hub stands: on a support, or on a subsystem of another rotor.
 struct Axle {
-  /// Name of the body of the support that carries it; empty: what the support stands on.
+  /// Name of the subsystem whose body carries it, one on the hub of a rotor of a lower number;
+  /// empty: the support.
+  std::string subsystem{};
+  /// Name of the body that carries it; empty: what the support stands on.
   std::string body{};
   /// Station on a beam [m]; none: its tip.
   std::optional<double> station = std::nullopt;
@@ -382,11 +385,11 @@ struct Hub {
   Vector angular_velocity = Vector::Zero();
 };
 
-/// A rotor on a support besides the one of Model::hub: a hub on an axle of its own. Blades,
-/// subsystems and loads name it by its number.
+/// A rotor besides the one of Model::hub: a hub on an axle of its own. Blades, subsystems and loads
+/// name it by its number.
 struct Rotor {
   Hub hub{};    ///< its name is not empty; it is on an axle, and has no mount
-  Axle axle{};  ///< where the support carries it
+  Axle axle{};  ///< what carries it
 };
 
 /// Frame in which a load is resolved.
@@ -490,6 +493,9 @@ SPOKE_EXPORT const Axle& axle_of(const Model& model, int rotor);
 SPOKE_EXPORT std::string prefix_of_rotor(const Model& model, int rotor);
 /// Returns whether a subsystem of a model is the tree of its support.
 SPOKE_EXPORT bool is_support(const Model& model, const Subsystem& subsystem);
+/// Returns the rotors whose axles a subsystem carries by its name, ascending; none of a model
+/// without a support.
+SPOKE_EXPORT std::vector<int> find_rotors_on(const Model& model, const std::string& subsystem);
 /// Returns the key of a subsystem in a scenario, by its index: "subsystem.2", or "support".
 SPOKE_EXPORT std::string key_of_subsystem(const Model& model, std::size_t index);
 /// Gives a model the support that a suspension is: a rigid body "carrier" on a bushing

@@ -51,22 +51,22 @@ SpatialSensors::SpatialSensors(const System<Space>& system, const std::vector<sp
     for (const char* axis : {"x", "y", "z"}) add(name + ".root.moment." + axis, "N m");
     add_joints(tree);
   }
-  add_other_hubs(trees);
+  add_other_hubs(system.rotors.size(), trees);
   add_actors(ColumnPlace::behind_joints, data);
   if (momentum_.are_there()) add_momentum_columns();
   add_actors(ColumnPlace::last, data);
   for (const SensorColumn& column : asked_) add(column.name, column.unit);
 }
 
-void SpatialSensors::add_other_hubs(const std::vector<spatial::Tree>& trees) {
-  for (const spatial::Tree& tree : trees)
-    for (const spatial::TreeBody& body : tree.bodies) {
-      if (body.rotor < 1) continue;
-      for (const char* axis : {".x", ".y", ".z"}) add(body.name + axis, "m");
-      add(body.name + ".angle", "rad");
-      add(body.name + ".speed", "rad/s");
-      add(body.name + ".torque", "N m");
-    }
+void SpatialSensors::add_other_hubs(std::size_t rotors, const std::vector<spatial::Tree>& trees) {
+  for (std::size_t r = 1; r < rotors; ++r) {
+    const spatial::BodyAt hub = find_hub(trees, static_cast<int>(r));
+    const std::string& name = trees[hub.tree].bodies[hub.body].name;
+    for (const char* axis : {".x", ".y", ".z"}) add(name + axis, "m");
+    add(name + ".angle", "rad");
+    add(name + ".speed", "rad/s");
+    add(name + ".torque", "N m");
+  }
 }
 
 void SpatialSensors::add_joints(const spatial::Tree& tree) {

@@ -38,7 +38,7 @@ class SpatialSensors : public SensorValues {
  private:
   void add_joints(const spatial::Tree& tree);
   /// Adds columns of the hubs of rotors besides the first: "tail.hub.angle".
-  void add_other_hubs(const std::vector<spatial::Tree>& trees);
+  void add_other_hubs(std::size_t rotors, const std::vector<spatial::Tree>& trees);
   void add_actors(ColumnPlace place, const StepData<Space>& data);
   void append_actors(ColumnPlace place, std::int64_t step, const StepData<Space>& data);
 

@@ -11,7 +11,7 @@
 
 namespace spoke {
 
-/// A rotor that a support carries.
+/// A rotor that a tree may carry.
 struct CarriedRotor {
   spatial::MassProperties mass{};  ///< with its blades, in its hub's frame H
   Drive drive = FreeDrive{};
@@ -23,7 +23,7 @@ struct SubsystemSetting {
   space::Rotation to_axis{};
   /// Point about which the undeformed model turns freely, in H [m].
   space::Position centre = space::Position::Zero();
-  std::vector<CarriedRotor> rotors{};  ///< of a support, the rotors that it carries
+  std::vector<CarriedRotor> rotors{};  ///< by number, those of the model, if it has a support
   /// Of a support, whether its hub is an ordinary body, and its axle held.
   bool is_alone = false;
   spatial::RigidBody base{};  ///< of a support, the fuselage that it stands on, if there is one

@@ -114,16 +114,18 @@ void require_azimuth(const System<Space>& system) {
   }
 }
 
-/// Whether a support is rigid and flies, and the hub of a rotor with it: that moves as a free one
+/// Whether what carries a rotor is rigid and flies, and its hub with it: that moves as a free one
 /// does.
 bool is_one_with_fuselage(const spatial::Model& model, const std::vector<spatial::Tree>& trees,
                           int rotor) {
   if (!model.support || model.support->from == spatial::SupportBase::ground ||
       !std::holds_alternative<FixedDrive>(hub_of(model, rotor).drive))
     return false;
-  const std::vector<spatial::TreeBody>& bodies = trees.back().bodies;
-  for (int j = bodies[find_hub(trees.back(), rotor)].parent; j >= 0;
-       j = bodies[static_cast<std::size_t>(j)].parent) {
+  const spatial::BodyAt hub = find_hub(trees, rotor);
+  if (hub.tree + 1 < trees.size() && !is_one_with_fuselage(model, trees, trees[hub.tree].rotor))
+    return false;
+  const std::vector<spatial::TreeBody>& bodies = trees[hub.tree].bodies;
+  for (int j = bodies[hub.body].parent; j >= 0; j = bodies[static_cast<std::size_t>(j)].parent) {
     const spatial::TreeBody& body = bodies[static_cast<std::size_t>(j)];
     if (!std::holds_alternative<spatial::RigidBody>(body.shape) ||
         body.joint.kind != spatial::JointKind::fixed)
@@ -132,18 +134,33 @@ bool is_one_with_fuselage(const spatial::Model& model, const std::vector<spatial
   return true;
 }
 
-/// Returns the mass of a rotor, hub and blades, and its first moment, in the frame of its hub on a
-/// support. Of a rotor that turns it is the mean over a turn.
+/// Whether a drive turns the hub of a rotor, or lets it turn.
+bool turns(const spatial::Model& model, int rotor) {
+  return !std::holds_alternative<FixedDrive>(hub_of(model, rotor).drive);
+}
+
+/// Returns the mass of a rotor, hub and blades and the rotors that these carry, and its first
+/// moment, in the frame of its hub. Of a rotor that turns it is the mean over a turn.
 spatial::MassProperties calc_rotor_mass(const spatial::Model& model,
                                         const std::vector<spatial::Tree>& trees, int number,
-                                        bool turns) {
+                                        bool is_turned) {
   const spatial::Hub& hub = hub_of(model, number);
   spatial::MassProperties rotor = spatial::make_mass_properties(hub.mass, hub.center, hub.inertia);
-  for (std::size_t i = 0; i + 1 < trees.size(); ++i)  // the last is the support
-    if (trees[i].rotor == number) rotor += calc_mass_properties(trees[i]);
+  for (std::size_t i = 0; i + 1 < trees.size(); ++i) {  // the last is the support
+    if (trees[i].rotor != number) continue;
+    const std::vector<spatial::Placement> placements = calc_placements(trees[i]);
+    spatial::MassProperties tree;
+    for (std::size_t j = 0; j < placements.size(); ++j) {
+      const spatial::TreeBody& body = trees[i].bodies[j];
+      tree += (body.is_hub() ? calc_rotor_mass(model, trees, body.rotor, turns(model, body.rotor))
+                             : calc_mass_properties(trees[i], body))
+                  .seen_from_outside(placements[j]);
+    }
+    rotor += tree;
+  }
   const space::Rotation to_axis = axis_rotation(hub).inverse();
   rotor.first_moment = to_axis * space::Position(rotor.first_moment);
-  if (turns) rotor.first_moment.head<2>().setZero();
+  if (is_turned) rotor.first_moment.head<2>().setZero();
   rotor.inertia.setZero();
   return rotor;
 }
@@ -164,7 +181,7 @@ MachineCentre find_machine_centre(const spatial::Model& model,
   const spatial::Fuselage& fuselage = model.support->fuselage;
   double mass = fuselage.mass;
   space::Position moment = fuselage.mass * space::Position(fuselage.center);
-  for (int r = 0; r < count_rotors(model); ++r) {
+  for (const int r : find_rotors_on(model, support.name)) {
     const spatial::Placement& hub = placements[find_hub(support, r)];
     const spatial::MassProperties rotor =
         calc_rotor_mass(model, trees, r, !is_one_with_fuselage(model, trees, r));
@@ -182,7 +199,7 @@ MachineCentre find_machine_centre(const spatial::Model& model,
   centre.from_base = moment / mass;
   for (int r = 0; r < count_rotors(model); ++r)
     if (is_one_with_fuselage(model, trees, r)) {
-      const spatial::Placement& hub = placements[find_hub(support, r)];
+      const spatial::Placement hub = find_hub_placement(model, trees, r);
       centre.from_hubs[static_cast<std::size_t>(r)] =
           space::Rotation{hub.rotation}.inverse() *
           space::Position(centre.from_base - space::Position(hub.position));
@@ -192,7 +209,9 @@ MachineCentre find_machine_centre(const spatial::Model& model,
 
 /// Whether all that carries the axle of a rotor moves as prescribed.
 bool is_moved(const System<Space>& system, const SupportedRotor& rotor) {
-  if (system.hub.support == HubSupport::free) return false;
+  if (system.hub.support == HubSupport::free ||
+      system.subsystems[static_cast<std::size_t>(rotor.subsystem)].rotor >= 0)
+    return false;
   std::vector<int> path = find_path(system, rotor);
   path.pop_back();  // the hub, whose origin is on the axle
   const auto& bodies = system.subsystems[static_cast<std::size_t>(rotor.subsystem)].bodies;
@@ -216,7 +235,7 @@ void control_joints(const PitchControl& control, const spatial::Tree& tree,
   }
 }
 
-/// Turns the loads on the hub of a rotor to loads on the body that it is of a support.
+/// Turns the loads on the hub of a rotor to loads on the body that it is.
 void move_hub_loads(const spatial::Model& model, int rotor, TreeBody<Space>& hub) {
   const space::Rotation to_axis = axis_rotation(hub_of(model, rotor)).inverse();
   for (const spatial::HubLoad& load : model.hub_loads) {
@@ -235,33 +254,36 @@ void move_hub_loads(const spatial::Model& model, int rotor, TreeBody<Space>& hub
 }
 
 /// Whether a coupling acts on the joint that carries a body.
-bool couples_axle(const Subsystem<Space>& support, int body) {
-  return std::any_of(support.loops.begin(), support.loops.end(), [body](const LoopModel& loop) {
+bool couples_axle(const Subsystem<Space>& carrier, int body) {
+  return std::any_of(carrier.loops.begin(), carrier.loops.end(), [body](const LoopModel& loop) {
     return std::any_of(loop.coupled.begin(), loop.coupled.end(),
                        [body](const CoupledCoordinate& at) { return at.body == body; });
   });
 }
 
-/// Makes the support, the last of the trees, and puts the rotors on it.
-void add_support(const spatial::Model& model, const std::vector<spatial::Tree>& trees,
-                 const space::Position& centre, SharedBodies& bodies, System<Space>& system) {
-  const spatial::Tree& tree = trees.back();
-  system.hub = make_base(*model.support, model.hub, tree);
-  SubsystemSetting setting{.centre = centre, .base = body_of(model.support->fuselage)};
+/// Returns what trees have to know of the rotors that they carry.
+std::vector<CarriedRotor> list_carried(const spatial::Model& model,
+                                       const std::vector<spatial::Tree>& trees) {
+  std::vector<CarriedRotor> rotors;
   for (int r = 0; r < count_rotors(model); ++r)
-    setting.rotors.push_back({calc_rotor_mass(model, trees, r, true), hub_of(model, r).drive});
-  system.subsystems.push_back(
-      make_subsystem(tree, setting, make_body_loads(model, tree, trees.size() - 1), bodies));
+    rotors.push_back({calc_rotor_mass(model, trees, r, turns(model, r)), hub_of(model, r).drive});
+  return rotors;
+}
+
+/// Puts the rotors on the subsystems that carry them, which are made.
+void add_rotors(const spatial::Model& model, const std::vector<spatial::Tree>& trees,
+                System<Space>& system) {
   for (int r = 0; r < count_rotors(model); ++r) {
-    const std::size_t hub = find_hub(tree, r);
-    move_hub_loads(model, r, system.subsystems.back().bodies[hub]);
+    const spatial::BodyAt hub = find_hub(trees, r);
+    Subsystem<Space>& carrier = system.subsystems[hub.tree];
+    move_hub_loads(model, r, carrier.bodies[hub.body]);
     SupportedRotor& rotor = system.rotors.emplace_back();
-    rotor.subsystem = static_cast<int>(trees.size()) - 1;
-    rotor.body = static_cast<int>(hub);
+    rotor.subsystem = static_cast<int>(hub.tree);
+    rotor.body = static_cast<int>(hub.body);
     const spatial::Axle& axle = axle_of(model, r);
-    rotor.driven = static_cast<int>(axle.train ? hub - 1 : hub);  // see build_trees()
+    rotor.driven = rotor.body - (axle.train ? 1 : 0);  // see build_trees()
     if (axle.train) rotor.gear_ratio = axle.train->gear_ratio;
-    rotor.is_coupled = couples_axle(system.subsystems.back(), rotor.body);
+    rotor.is_coupled = couples_axle(carrier, rotor.body);
     rotor.is_moved = is_moved(system, rotor);
     rotor.prefix = prefix_of_rotor(model, r);
   }
@@ -376,17 +398,30 @@ System<Space> make_system(const spatial::Model& model, const std::vector<spatial
   if (model.hub.support == HubSupport::free) centre = find_mass_centre(model.hub, trees, to_axis);
   const MachineCentre machine = find_machine_centre(model, trees);
   SharedBodies bodies(model.damping, control);
+  std::vector<CarriedRotor> carried;
+  if (model.support) carried = list_carried(model, trees);
   for (std::size_t i = 0; i < on_hub; ++i) {
     const int rotor = trees[i].rotor;
     if (model.support) centre = machine.from_hubs[static_cast<std::size_t>(rotor)];
-    system.subsystems.push_back(make_subsystem(
-        trees[i], {.to_axis = axis_rotation(hub_of(model, rotor)).inverse(), .centre = centre},
-        make_body_loads(model, trees[i], i), bodies));
+    system.subsystems.push_back(
+        make_subsystem(trees[i],
+                       {.to_axis = axis_rotation(hub_of(model, rotor)).inverse(),
+                        .centre = centre,
+                        .rotors = carried},
+                       make_body_loads(model, trees[i], i), bodies));
     if (model.support) system.subsystems.back().rotor = rotor;
     if (model.pitch_control)
       control_joints(*model.pitch_control, trees[i], system.subsystems.back());
   }
-  if (model.support) add_support(model, trees, machine.from_base, bodies, system);
+  if (model.support) {
+    const spatial::Tree& tree = trees.back();
+    system.hub = make_base(*model.support, model.hub, tree);
+    const SubsystemSetting setting{
+        .centre = machine.from_base, .rotors = carried, .base = body_of(model.support->fuselage)};
+    system.subsystems.push_back(
+        make_subsystem(tree, setting, make_body_loads(model, tree, on_hub), bodies));
+    add_rotors(model, trees, system);
+  }
   list_shared_loops(trees, system);
   for (const Anchor& anchor : model.anchors) {
     // What a support stands on has the axes of the description.

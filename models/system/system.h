@@ -42,10 +42,10 @@ struct TreeBody {
   ModalShare modal;  ///< empty unless its beam is damped by modes
 };
 
-/// A rotor on a support: its hub is a body of the support's tree, on the axle, and carries
-/// subsystems of its own.
+/// A rotor on a support or on another subsystem: its hub is a body of that tree, on the axle, and
+/// carries subsystems of its own.
 struct SupportedRotor {
-  int subsystem = 0;  ///< index of the support's tree
+  int subsystem = 0;  ///< index of the tree; its own rotor, if it has one, has a lower number
   int body = 0;       ///< index of the hub in it
   int driven = 0;     ///< index of the body whose joint the drive turns: the hub, or its generator
   double gear_ratio = 1.0;  ///< turns of the generator for one of the hub; 1 without one

@@ -54,6 +54,8 @@ std::string find_unknown_tension(const Model& model, const Blade& blade) {
 
 std::string find_unknown_tension(const Model& model, const Subsystem& subsystem) {
   if (is_support(model, subsystem)) return "the hub does not turn it";
+  if (const std::vector<int> rotors = find_rotors_on(model, subsystem.name); !rotors.empty())
+    return "it carries rotor " + hub_of(model, rotors.front()).name;
   return is_turned(hub_of(model, subsystem.rotor))
              ? find_cause(subsystem.joints, subsystem.loops, loops_on(model, subsystem))
              : kNoDrive;

@@ -238,6 +238,7 @@ class SubsystemBuilder {
         others_(find_loops_from_elsewhere(model, number)),
         support_(is_support(model, subsystem_) ? &*model.support : nullptr),
         base_(support_ ? base_name(support_->from) : "hub"),
+        rotors_(find_rotors_on(model, subsystem_.name)),
         unknown_tension_(find_unknown_tension(model, subsystem_)),
         solids_(solids),
         turn_(rotation_of(subsystem_.azimuth * hub_of(model, subsystem_.rotor).axis.normalized())) {
@@ -258,8 +259,7 @@ class SubsystemBuilder {
       const auto further = children_of(joint.child);
       next.insert(next.end(), further.rbegin(), further.rend());
     }
-    if (support_)
-      for (int r = 0; r < count_rotors(model_); ++r) add_hub(r);
+    for (const int r : rotors_) add_hub(r);
     LoopBuilder builder(model_.anchors, turn_, tree_);
     const auto find = [this](const std::string& name) {
       const Added& added = added_.at(name);
@@ -319,7 +319,7 @@ class SubsystemBuilder {
         places.push_back(further->station.value_or(beam->length));
       for (const double station : loop_stations(subsystem_.loops, others_, child.name, *beam))
         places.push_back(station);
-      for (int r = 0; support_ && r < count_rotors(model_); ++r)
+      for (const int r : rotors_)
         if (const Axle& axle = axle_of(model_, r); axle.body == child.name)
           places.push_back(axle.station.value_or(beam->length));
       Beam chosen = *beam;
@@ -333,7 +333,7 @@ class SubsystemBuilder {
     added_[child.name] = {first, tree_.bodies.size() - 1};
   }
 
-  /// Adds the hub of a rotor at the end of a support.
+  /// Adds the hub of a rotor that the subsystem carries.
   void add_hub(int rotor) {
     const Hub& hub = hub_of(model_, rotor);
     const Axle& axle = axle_of(model_, rotor);
@@ -373,8 +373,9 @@ class SubsystemBuilder {
   const Subsystem& subsystem_;
   const Model& model_;
   std::vector<LoopFromElsewhere> others_;
-  const Support* support_;  ///< whose tree this is, or null
-  std::string base_;        ///< name of what carries the tree
+  const Support* support_;   ///< whose tree this is, or null
+  std::string base_;         ///< name of what carries the tree
+  std::vector<int> rotors_;  ///< that it carries
   std::string unknown_tension_;
   const SolidParts& solids_;
   Tensor turn_;  ///< turns by the azimuth, in the hub's frame
@@ -395,20 +396,23 @@ Placement rotor_placement(const Hub& hub) {
 
 namespace {
 
-/// Adds to a support the hubs through which loops come that span several trees.
+/// Adds to the trees that carry rotors the hubs through which loops come that span several trees.
 void add_ends_on_hubs(const Model& model, std::vector<Tree>& trees) {
-  Tree& support = trees.back();
   for (std::size_t i = 0; i < trees.size(); ++i)
     for (std::size_t k = 0; k < trees[i].loops.size(); ++k) {
       const Loop& loop = trees[i].loops[k].loop;
       if (loop.to.carrier != LoopPlace::Carrier::elsewhere) continue;
       std::set<int> rotors;
-      for (const std::size_t end : {i, find_tree(model, loop.to)})
-        if (end + 1 < trees.size()) rotors.insert(trees[end].rotor);
+      for (std::size_t end : {i, find_tree(model, loop.to)})
+        while (end + 1 < trees.size()) {  // to the support, hub by hub
+          rotors.insert(trees[end].rotor);
+          end = find_hub(trees, trees[end].rotor).tree;
+        }
       for (const int rotor : rotors) {
+        const BodyAt at = find_hub(trees, rotor);
         TreePlace hub;
-        hub.body = static_cast<int>(find_hub(support, rotor));
-        support.ends.push_back({i, k, {}, loop, hub, true});
+        hub.body = static_cast<int>(at.body);
+        trees[at.tree].ends.push_back({i, k, {}, loop, hub, true});
       }
     }
 }

@@ -9,8 +9,7 @@ namespace spoke::spatial {
 
 Eigen::Vector3d find_hub_place(const Model& model, int rotor) {
   if (!model.support) return Eigen::Vector3d::Zero();
-  const Tree support = build_trees(model).back();
-  const Eigen::Vector3d from_base = calc_placements(support)[find_hub(support, rotor)].position;
+  const Eigen::Vector3d from_base = find_hub_placement(model, build_trees(model), rotor).position;
   if (model.support->from == SupportBase::ground) return from_base;
   const Fuselage& fuselage = model.support->fuselage;
   return fuselage.position + space::exponential(fuselage.attitude).axes * from_base;

@@ -18,6 +18,12 @@ struct Placement {
   }
 };
 
+/// Returns the placement of the other frame in the one that is placed.
+inline Placement inverse(const Placement& placement) {
+  const Tensor back = placement.rotation.transpose();
+  return {-(back * placement.position), back};
+}
+
 /// The mass properties of a body in rigid motion, about the origin of its frame.
 struct MassProperties {
   double mass = 0.0;                     ///< [kg]

@@ -39,11 +39,39 @@ bool is_part_of(const TreeBody& body, const std::string& name) {
   return body.name == name || body.name.starts_with(name + " / body ");
 }
 
-std::size_t find_hub(const Tree& support, int rotor) {
-  const auto hub = std::find_if(support.bodies.begin(), support.bodies.end(),
+namespace {
+
+/// Returns the index of the body of a tree that is the hub of a rotor; of none, their number.
+std::size_t search_hub(const Tree& tree, int rotor) {
+  const auto hub = std::find_if(tree.bodies.begin(), tree.bodies.end(),
                                 [rotor](const TreeBody& body) { return body.rotor == rotor; });
-  assert(rotor >= 0 && hub != support.bodies.end());
-  return static_cast<std::size_t>(hub - support.bodies.begin());
+  return static_cast<std::size_t>(hub - tree.bodies.begin());
+}
+
+}  // namespace
+
+std::size_t find_hub(const Tree& carrier, int rotor) {
+  const std::size_t hub = search_hub(carrier, rotor);
+  assert(rotor >= 0 && hub < carrier.bodies.size());
+  return hub;
+}
+
+BodyAt find_hub(const std::vector<Tree>& trees, int rotor) {
+  assert(rotor >= 0);
+  for (std::size_t i = trees.size(); i-- > 0;)
+    if (const std::size_t hub = search_hub(trees[i], rotor); hub < trees[i].bodies.size())
+      return {i, hub};
+  assert(false && "the axle of a rotor is on a tree");
+  return {};
+}
+
+Placement find_hub_placement(const Model& model, const std::vector<Tree>& trees, int rotor) {
+  const BodyAt at = find_hub(trees, rotor);
+  const Placement own = calc_placements(trees[at.tree])[at.body];
+  if (at.tree + 1 == trees.size()) return own;  // on the support
+  const int carrier = trees[at.tree].rotor;
+  return find_hub_placement(model, trees, carrier) *
+         inverse(rotor_placement(hub_of(model, carrier))) * own;
 }
 
 std::vector<Placement> calc_placements(const Tree& tree) {

@@ -36,8 +36,8 @@ struct TreeBody {
   /// interface.
   Placement placement{};
   Joint joint{};  ///< its axes are in the body's frame; offset and orientation are in `placement`
-  /// Number of the rotor whose hub on a support it is: its frame has z along the drive's axis, and
-  /// its joint is the axle, which the drive turns; -1: it is no hub.
+  /// Number of the rotor whose hub it is: its frame has z along the drive's axis, and its joint is
+  /// the axle, which the drive turns; -1: it is no hub.
   int rotor = -1;
 
   bool is_hub() const { return rotor >= 0; }
@@ -66,8 +66,8 @@ struct TreeLoop {
   TreePlace from{}, to{};
 };
 
-/// The end on a tree of a loop that is another tree's; on a support also the hub through which a
-/// loop comes that ends on a tree of that rotor.
+/// The end on a tree of a loop that is another tree's; on a tree that carries a rotor also the hub
+/// through which a loop comes that ends on a tree of that rotor, or on one beyond it.
 struct LoopEnd {
   std::size_t tree = 0;    ///< whose loop it is
   std::size_t number = 0;  ///< of its loops
@@ -108,8 +108,8 @@ std::vector<LoopFromElsewhere> find_loops_from_elsewhere(const Model& model, std
 std::int64_t count_coordinates(const Tree& tree);
 
 /// Makes one tree for each blade, then one for each subsystem. Precondition: check_model() accepts
-/// it. The tree of a support is the last; its last bodies are the hubs of the rotors, by the names
-/// "hub" on the joint "axle", and "tail.hub" on "tail.axle".
+/// it. The tree of a support is the last. The last bodies of a tree are the hubs of the rotors that
+/// it carries, by the names "hub" on the joint "axle", and "tail.hub" on "tail.axle".
 ///
 /// A blade's joints part it, and each part is cut into equally long bodies, none longer than
 /// length/bodies; beams of subsystems are cut by the same rule. A body has as many equally long
@@ -124,8 +124,18 @@ Placement rotor_placement(const Hub& hub);
 /// Whether a body of a tree is the one that is described by a name, or a part of that beam.
 bool is_part_of(const TreeBody& body, const std::string& name);
 
-/// Returns the index of the body of a support's tree that is the hub of a rotor.
-std::size_t find_hub(const Tree& support, int rotor);
+/// Returns the index of the body of a tree that is the hub of a rotor.
+std::size_t find_hub(const Tree& carrier, int rotor);
+
+/// A body by its tree and its index there.
+struct BodyAt {
+  std::size_t tree = 0, body = 0;
+};
+/// Returns where the hub of a rotor is among the trees of a model with a support.
+BodyAt find_hub(const std::vector<Tree>& trees, int rotor);
+/// Returns where the frame of a rotor's hub is in that of the support's base, z along its axis, at
+/// joint coordinates of zero.
+Placement find_hub_placement(const Model& model, const std::vector<Tree>& trees, int rotor);
 
 /// Returns where each body's frame is in the hub's frame, at joint coordinates of zero.
 std::vector<Placement> calc_placements(const Tree& tree);

@@ -628,17 +628,19 @@ def rotor(*, name, hub, axle=None, blade=None, blades=None):
 
     name: its name, unlike that of any other rotor
     hub: its hub and drive, as [hub]
-    axle: where the support carries it, as [support.axle]
+    axle: what carries it, as [support.axle]; with subsystem, a body of another rotor's
     blade: its blades, as [blade]
     blades: its blades one by one, as [[blades]]
     """
     return _given(locals())
 
 
-def axle(*, body=None, station=None, node=None, interface=None, offset=None, orientation=None,
-         stiffness=None, damping=None, gear_ratio=None, generator_inertia=None):
+def axle(*, subsystem=None, body=None, station=None, node=None, interface=None, offset=None,
+         orientation=None, stiffness=None, damping=None, gear_ratio=None, generator_inertia=None):
     """Where a support carries the hub.
 
+    subsystem: of a rotor that is not the first: name of the subsystem whose body carries the axle,
+        one on the hub of a rotor before this
     body: name of the body that carries the axle; a fuselage is named "fuselage"
     station: the place on a beam; it may be anywhere, and makes a node there [m]
     node: in place of station: number of a node, as of a joint's parent

@@ -56,11 +56,6 @@ Placement calc_motion(const Joint& joint, double azimuth) {
   return {};
 }
 
-Placement inverse(const Placement& placement) {
-  const spatial::Tensor back = placement.rotation.transpose();
-  return {-(back * placement.position), back};
-}
-
 /// Returns the motions of the bodies of a tree in the frame of what carries it, each from its place
 /// at coordinates of zero.
 std::vector<Placement> calc_motions(const Tree& tree) {
@@ -105,11 +100,15 @@ Placement calc_base(const spatial::Model& model) {
   return {fuselage.position, space::exponential(fuselage.attitude).axes};
 }
 
-/// Returns the pose of the hub of a rotor on a support, whose joints stand where they start.
+/// Returns the pose of the hub of a rotor on a support, or on what another one carries, whose
+/// joints stand where they start.
 Placement find_supported_hub(const spatial::Model& model, int rotor, const Placement& base,
-                             const Tree& tree) {
-  const std::size_t hub = find_hub(tree, rotor);
-  return base * calc_motions(tree)[hub] * calc_placements(tree)[hub] *
+                             const std::vector<Tree>& trees) {
+  const spatial::BodyAt hub = find_hub(trees, rotor);
+  const Tree& tree = trees[hub.tree];
+  const bool is_on_support = hub.tree + 1 == trees.size();
+  return (is_on_support ? base : find_supported_hub(model, tree.rotor, base, trees)) *
+         calc_motions(tree)[hub.body] * calc_placements(tree)[hub.body] *
          inverse(rotor_placement(hub_of(model, rotor)));
 }
 
@@ -140,7 +139,7 @@ Frame make_first_frame(const Scenario& scenario, const Scene& scene) {
   const std::vector<Tree> trees = build_trees(*scenario.space);
   Placement base = calc_base(*scenario.space);
   if (scenario.space->support) {
-    const Placement hub = find_supported_hub(*scenario.space, 0, base, trees.back());
+    const Placement hub = find_supported_hub(*scenario.space, 0, base, trees);
     frame.hub = {hub.position, hub.rotation};
     base = inverse(hub) * base;
   } else {
@@ -157,8 +156,7 @@ Frame make_first_frame(const Scenario& scenario, const Scene& scene) {
   if (scene.support < 0) return frame;
   frame.groups[next++] = base;
   for (std::size_t r = 1; r < scene.hubs.size(); ++r)
-    frame.groups[next++] =
-        find_supported_hub(*scenario.space, static_cast<int>(r), base, trees.back());
+    frame.groups[next++] = find_supported_hub(*scenario.space, static_cast<int>(r), base, trees);
   add(static_cast<std::size_t>(scene.support));
   for (std::size_t i = 0; i < trees.size(); ++i)
     if (scene.roots[i] > scene.base_group) add(i);

@@ -95,8 +95,10 @@ void FrameReader::read_roots(const Simulation& simulation, Frame& frame) const {
     const HubFrame& hub = scene_.hubs[r];
     const NodeSource& source = scene_.sources[static_cast<std::size_t>(hub.node)];
     const TreeNode& node = body_of(source).nodes[static_cast<std::size_t>(source.node)];
+    const int carrier = scene_.roots[static_cast<std::size_t>(source.subsystem)];
     frame.groups[static_cast<std::size_t>(hub.group)] =
-        base * Placement{node.p, node.R * hub.to_hub.transpose()};
+        frame.groups[static_cast<std::size_t>(carrier)] *
+        Placement{node.p, node.R * hub.to_hub.transpose()};
   }
 }
 

@@ -59,6 +59,15 @@ void require_own_loops(const spatial::Model& model) {
     require(model.subsystems[i].loops, key_of_subsystem(model, i));
 }
 
+/// Refuses rotors on others: what carries them turns, or is an unknown of another rotor.
+void require_rotors_on_support(const spatial::Model& model) {
+  for (int r = 0; model.support && r < count_rotors(model); ++r)
+    if (const std::string& carrier = axle_of(model, r).subsystem; !carrier.empty())
+      throw InputError("rotor." + std::to_string(r + 1) + ".axle.subsystem: is \"" + carrier +
+                       "\", expected the support: a steady state has no rotor on what a rotor "
+                       "carries; runs have it");
+}
+
 /// Refuses couplings on axles: their coordinates are of a rotor and of the support.
 void require_free_axles(const spatial::Model& model) {
   if (!model.support) return;
@@ -81,6 +90,7 @@ std::unique_ptr<SteadyModel> make_spatial(const Scenario& scenario, const Steady
   require_hub_anchors(model);
   require_free_axles(model);
   require_own_loops(model);
+  require_rotors_on_support(model);
   if (model.support) return make_supported(scenario, winds, options);
   const std::vector<spatial::Tree> trees = build_trees(model);
   System<Space> system = make_system(model, trees, {{}, available_memory()});

@@ -137,13 +137,18 @@ inline constexpr std::array kRotorRows{
         .required()
         .within("letters, digits, `_`, `-`, `.`; up to 64"),
     by_hand("hub", kTable, "its hub and drive, as [`[hub]`](#hub-in-space)").required().as("hub"),
-    by_hand("axle", kTable, "where the support carries it, as `[support.axle]`")
+    by_hand("axle", kTable,
+            "what carries it, as `[support.axle]`; with `subsystem`, a body of another rotor's")
         .from("as there")
         .as("support.axle"),
     by_hand("blade", kTable, "its blades, as `[blade]`").from("none").as("blade"),
     by_hand("blades", kTables, "its blades one by one, as `[[blades]]`").from("none").as("blades")};
 
 inline constexpr std::array kAxleRows{
+    by_hand("subsystem", kText,
+            "of a rotor that is not the first: name of the subsystem whose body carries the axle, "
+            "one on the hub of a rotor before this")
+        .from("the support"),
     by_hand("body", kText,
             "name of the body that carries the axle; a fuselage is named `\"fuselage\"`")
         .from("required; the fuselage, where there is no body"),

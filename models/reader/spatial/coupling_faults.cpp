@@ -80,8 +80,7 @@ CouplingEnds ends_of(const Blade& blade) {
 CouplingEnds ends_of(const Subsystem& subsystem, const Model& model) {
   CouplingEnds ends;
   for (const SubsystemJoint& at : subsystem.joints) add(at.joint, ends);
-  const bool is_support = model.support && subsystem.name == kSupportName;
-  for (int r = 0; is_support && r < count_rotors(model); ++r) {
+  for (const int r : find_rotors_on(model, subsystem.name)) {
     CouplingEnd& axle = ends[prefix_of_rotor(model, r) + "axle"];
     axle.kind = JointKind::revolute;
     axle.is_free = {!is_hub_prescribed(model, r)};

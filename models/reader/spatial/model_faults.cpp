@@ -65,10 +65,11 @@ Fault find_fault(const LoadPlace& place, const Model& model) {
       return {"subsystem", "is \"" + place.subsystem + "\", but there is no [[subsystem]]"};
     return {"subsystem", describe_unknown(place.subsystem, names_of(model.subsystems))};
   }
-  for (int r = 0; is_support(model, *subsystem) && r < count_rotors(model); ++r)
+  for (const int r : find_rotors_on(model, place.subsystem))
     if (place.body == prefix_of_rotor(model, r) + "hub")
-      return {"body", "is \"" + place.body +
-                          "\", expected a body of the support; [[hub_load]] acts on the hub"};
+      return {"body", "is \"" + place.body + "\", expected a body of the " +
+                          (is_support(model, *subsystem) ? "support" : "subsystem") +
+                          "; [[hub_load]] acts on the hub"};
   const auto& bodies = subsystem->bodies;
   if (std::any_of(bodies.begin(), bodies.end(),
                   [&](const Body& b) { return b.name == place.body; }))

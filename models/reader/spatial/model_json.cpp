@@ -141,7 +141,9 @@ Json to_json(const Subsystem& subsystem, const Model& model) {
 }
 
 Json to_json(const Axle& axle, SupportBase from) {
-  Json json = {{"body", axle.body.empty() ? base_name(from) : axle.body}};
+  Json json;
+  if (!axle.subsystem.empty()) json.set("subsystem", axle.subsystem);
+  json.set("body", axle.body.empty() ? base_name(from) : axle.body);
   if (axle.station) json.set("station", *axle.station);
   if (!axle.interface.empty()) json.set("interface", axle.interface);
   visit_fields(axle, FieldWriter{json});

@@ -71,6 +71,8 @@ void read_other_rotors(const std::vector<TomlSection>& rotors, Model& model) {
       if (section.has("suspension"))
         section.fail("suspension", "given along with [support], expected only one of them");
       hub = read_hub(section);
+      // Before the subsystems, whose couplings may be on axles.
+      if (rotors[r].has("axle")) model.rotors.back().axle.subsystem = read_axle_carrier(rotors[r]);
     }
     hub.name = read_name(rotors[r], "name");
     for (int before = 0; std::cmp_less(before, r); ++before)
@@ -102,8 +104,13 @@ void read_trees(const TomlSection& root, const std::vector<TomlSection>& rotors,
     read_support_tree(support, rotors.empty() ? support : rotors.front(), folder, model);
   }
   if (!model.support) return;
-  for (std::size_t r = 1; r < rotors.size(); ++r)
-    model.rotors[r - 1].axle = read_axle(rotors[r], model.subsystems.back(), model.support->from);
+  for (std::size_t r = 1; r < rotors.size(); ++r) {
+    Axle& axle = model.rotors[r - 1].axle;
+    const Subsystem* tree = &model.subsystems.back();
+    for (const Subsystem& subsystem : model.subsystems)
+      if (subsystem.name == axle.subsystem) tree = &subsystem;
+    axle = read_axle(rotors[r], *tree, model.support->from);
+  }
   if (const Fault fault = find_carried_fault(model))
     (rotors.empty() || fault.path.starts_with(kSupportName) ? root : rotors.front())
         .fail_at(fault.path, fault.text);

@@ -70,7 +70,7 @@ Fault find_body_fault(const Sensor& sensor, const Model& model) {
   }
   for (const Body& body : found->bodies) bodies.push_back(body.name);
   std::vector<std::string> of_rotors;  // outlive their views
-  for (int r = 0; is_support(model, *found) && r < count_rotors(model); ++r) {
+  for (const int r : find_rotors_on(model, sensor.subsystem)) {
     of_rotors.push_back(prefix_of_rotor(model, r) + "hub");
     if (axle_of(model, r).train)
       of_rotors.push_back(prefix_of_rotor(model, r) + std::string(kGeneratorName));

@@ -88,14 +88,49 @@ std::vector<TakenName> names_of_rotor(const Model& model, int rotor) {
   return names;
 }
 
-/// Finds a body, joint or coupling of a support that has the name of a part of a rotor.
+/// Returns the index of the subsystem that carries the axle of a rotor; of none, their number.
+std::size_t find_carrier(const Model& model, int rotor) {
+  const std::string& name = axle_of(model, rotor).subsystem;
+  if (name.empty()) return model.subsystems.size() - 1;
+  const auto at =
+      std::find_if(model.subsystems.begin(), model.subsystems.end() - 1,
+                   [&name](const Subsystem& subsystem) { return subsystem.name == name; });
+  return at == model.subsystems.end() - 1 ? model.subsystems.size()
+                                          : static_cast<std::size_t>(at - model.subsystems.begin());
+}
+
+/// Finds what is wrong with the subsystem that a rotor names for its axle.
+Fault find_carrier_fault(const Model& model, int rotor) {
+  const std::string& name = axle_of(model, rotor).subsystem;
+  if (name.empty()) return {};
+  const std::size_t carrier = find_carrier(model, rotor);
+  if (carrier == model.subsystems.size()) {
+    std::vector<std::string_view> names;
+    for (std::size_t i = 0; i + 1 < model.subsystems.size(); ++i)
+      names.push_back(model.subsystems[i].name);
+    if (names.empty())
+      return {"subsystem", "is \"" + name +
+                               "\", but there is no [[subsystem]]; expected none, "
+                               "which is the support"};
+    return {"subsystem", describe_unknown(name, names)};
+  }
+  if (model.subsystems[carrier].rotor < rotor) return {};
+  return {"subsystem", "is \"" + name + "\", which the hub of \"" +
+                           hub_of(model, model.subsystems[carrier].rotor).name +
+                           "\" carries; expected a subsystem of a rotor before this one"};
+}
+
+/// Finds a body, joint or coupling of what carries a rotor that has the name of a part of it.
 Fault find_taken_name(const Model& model, int rotor) {
-  const Subsystem& tree = model.subsystems.back();
+  const std::size_t carrier = find_carrier(model, rotor);
+  if (carrier == model.subsystems.size()) return {};  // found elsewhere
+  const Subsystem& tree = model.subsystems[carrier];
+  const std::string key = key_of_subsystem(model, carrier);
   for (const TakenName& taken : names_of_rotor(model, rotor)) {
-    const auto find = [&taken](const auto& list, const auto& name_of) -> Fault {
+    const auto find = [&taken, &key](const auto& list, const auto& name_of) -> Fault {
       for (std::size_t i = 0; i < list.size(); ++i)
         if (name_of(list[i]) == taken.name)
-          return {"support." + taken.list + "." + std::to_string(i + 1) + ".name",
+          return {key + "." + taken.list + "." + std::to_string(i + 1) + ".name",
                   "is \"" + taken.name + "\", which is the " + taken.what +
                       " of a rotor; expected another name"};
       return {};
@@ -137,8 +172,9 @@ Fault find_axle_fault(const Axle& axle, const Support& support, const Subsystem&
     names.push_back(body.name);
     if (body.name == axle.body) carrier = &body;
   }
-  if (support.from == SupportBase::free) names.push_back(base_name(support.from));
-  if (axle.body.empty() && support.from == SupportBase::ground)
+  const bool may_be_base = support.from == SupportBase::free && axle.subsystem.empty();
+  if (may_be_base) names.push_back(base_name(support.from));
+  if (axle.body.empty() && !may_be_base)
     first.add({"body", "is missing, expected the name of the body that carries the axle"});
   if (!axle.body.empty() && !carrier) first.add({"body", describe_unknown(axle.body, names)});
   if (!first.found()) first.add(find_place_fault(carrier, axle.station, axle.interface));
@@ -174,6 +210,10 @@ Fault find_fault(const Support& support, const Subsystem& tree) {
   if (tree.azimuth != 0.0)
     first.add({"azimuth", "is " + describe(tree.azimuth) +
                               ", but a support does not stand around the hub's axis; expected 0"});
+  if (!support.axle.subsystem.empty())
+    first.add(
+        {"axle.subsystem", "is \"" + support.axle.subsystem +
+                               "\", but the first rotor stands on the support; expected none"});
   for (std::size_t i = 0; i < tree.joints.size() && !first.found(); ++i)
     first.add(find_joint_fault(tree.joints[i].joint).within("joint." + std::to_string(i + 1)));
   if (!first.found()) first.add(find_axle_fault(support.axle, support, tree).within("axle"));
@@ -199,8 +239,10 @@ Fault find_rotors_fault(const Model& model) {
     if (r > 0) {
       first.add(find_fault(hub_of(model, r)).within("hub"));
       if (!first.found()) first.add(find_hub_fault(model, r).within("hub"));
+      if (!first.found()) first.add(find_carrier_fault(model, r).within("axle"));
       if (!first.found())
-        first.add(find_axle_fault(axle_of(model, r), *model.support, model.subsystems.back())
+        first.add(find_axle_fault(axle_of(model, r), *model.support,
+                                  model.subsystems[find_carrier(model, r)])
                       .within("axle"));
     }
     if (first.found()) return first.found().within(key);

@@ -21,10 +21,22 @@ void read_directions(const TomlSection& section, std::string_view key, std::stri
 
 }  // namespace
 
+namespace {
+
+TomlSection axle_section(const TomlSection& owner) {
+  return owner.section("axle", keys::keys_of(keys::kAxleRows, keys::kDriveTrainRows));
+}
+
+}  // namespace
+
+std::string read_axle_carrier(const TomlSection& owner) {
+  return axle_section(owner).text("subsystem", "");
+}
+
 Axle read_axle(const TomlSection& owner, const Subsystem& tree, SupportBase from) {
-  const TomlSection section =
-      owner.section("axle", keys::keys_of(keys::kAxleRows, keys::kDriveTrainRows));
+  const TomlSection section = axle_section(owner);
   Axle axle;
+  axle.subsystem = section.text("subsystem", "");
   axle.body = section.text("body", "");
   if (!section.has("body") && !tree.bodies.empty())
     section.fail("body", "is missing, expected the name of the body that carries the axle");
@@ -35,7 +47,8 @@ Axle read_axle(const TomlSection& owner, const Subsystem& tree, SupportBase from
   if (std::any_of(of_train.begin(), of_train.end(),
                   [&section](std::string_view key) { return section.has(key); }))
     keys::read(section, keys::kDriveTrainRows, &axle.train.emplace());
-  if (from == SupportBase::free && axle.body == base_name(from)) axle.body.clear();
+  if (from == SupportBase::free && axle.subsystem.empty() && axle.body == base_name(from))
+    axle.body.clear();
   return axle;
 }
 

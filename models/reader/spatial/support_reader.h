@@ -20,8 +20,12 @@ Support read_base(const TomlSection& section);
 void read_support_tree(const TomlSection& section, const TomlSection& first,
                        const std::string& folder, Model& model);
 
-/// Reads where the axle of a rotor stands, from the table that has it. What the support stands on,
-/// `from`, may carry it, by its name.
+/// Reads the name of the subsystem whose body carries the axle of a rotor, from the table that has
+/// it; empty: the support.
+std::string read_axle_carrier(const TomlSection& owner);
+
+/// Reads where the axle of a rotor stands on a tree, from the table that has it. What the support
+/// stands on, `from`, may carry it, by its name.
 Axle read_axle(const TomlSection& owner, const Subsystem& tree, SupportBase from);
 
 /// Reads [hub.suspension].

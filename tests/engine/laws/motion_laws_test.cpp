@@ -67,6 +67,7 @@ const std::map<std::string_view, std::string_view> kMoving{
     {"nrel_5mw_rotor", "gravity turns against the blades"},
     {"nrel_5mw_turbine", "gravity turns against the blades"},
     {"nrel_5mw_turbine, with a drive train", "gravity turns against the blades"},
+    {"quadcopter, a rotor on a rotor", "a steady state has no rotor on what a rotor carries"},
     {"satellite_booms", "a torque slews it"},
     {"shaft_in_bearings", "a push on the disc"},
     {"solid_bracket", "its rotor is out of balance"},

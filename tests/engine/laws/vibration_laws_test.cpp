@@ -29,6 +29,7 @@ const std::map<std::string_view, std::string_view> kWithoutModes{
     {"helicopter_on_gear, blades tied", "a steady state takes subsystems one by one"},
     {"heavy_top", "nothing holds it: all roots are zero"},
     {"quadcopter", "its rotors of two blades have no constant matrices"},
+    {"quadcopter, a rotor on a rotor", "a steady state has no rotor on what a rotor carries"},
     {"solid_blade_rotor, nodal", "dense matrices of 9072 coordinates take 20 s; it holds"},
     {"tree_of_bodies, in the wind", "wind pushes a hub that is free"},
     {"tree_of_bodies, relaxing", "the linear model has no states of forces"},

@@ -98,6 +98,35 @@ void tie_blades(Scenario& scenario) {
   blades[0].loops.push_back(spring);
 }
 
+/// Puts a rotor with a hinged vane on a soft boom that turns with the first rotor.
+void put_rotor_on_rotor(Scenario& scenario) {
+  spatial::Model& model = *scenario.space;
+  const auto add = [&model](spatial::Body body, int rotor, const spatial::Joint& joint) {
+    spatial::Subsystem made;
+    made.name = body.name;
+    made.rotor = rotor;
+    made.joints.emplace_back().child = body.name;
+    made.joints.back().joint = joint;
+    made.bodies.push_back(std::move(body));
+    model.subsystems.insert(model.subsystems.end() - 1, std::move(made));  // before the support
+  };
+  spatial::Joint joint;
+  joint.offset = {0.0, 0.0, 0.05};
+  add({"boom", model.blades[0].beam}, 0, joint);
+  spatial::Rotor& top = model.rotors.emplace_back();
+  top.hub.name = "top";
+  top.hub.mass = 0.002;
+  top.hub.inertia = 1e-7 * spatial::Tensor::Identity();
+  top.hub.drive = ConstantSpeed{60.0};
+  top.axle.subsystem = top.axle.body = "boom";
+  joint.kind = spatial::JointKind::revolute;
+  joint.name = "vane";
+  joint.axes[0] = spatial::Vector::UnitY();
+  joint.coordinates[0].initial = 0.05;
+  add({"vane", spatial::RigidBody{0.003, {0.03, 0.002, 0.0}, 2e-6 * spatial::Tensor::Identity()}},
+      count_rotors(model) - 1, joint);
+}
+
 /// Gives each rotor three equal blades in place of its own.
 void take_three_blades(Scenario& scenario) {
   std::vector<spatial::Blade> blades;
@@ -134,6 +163,7 @@ std::vector<ZooModel> list_zoo() {
          s.space->hub.inertia = 115926.0 * spatial::Tensor::Identity();
          s.space->support->axle.train = spatial::DriveTrain{867.637e6, 6.215e6, 97.0, 534.116};
        }},
+      {"quadcopter, a rotor on a rotor", "quadcopter", put_rotor_on_rotor},
       {"quadcopter, of three blades", "quadcopter", take_three_blades},
       {"solid_blade_rotor, nodal", "solid_blade_rotor", make_nodal},
       {"tree_of_bodies, in the wind", "tree_of_bodies", put_in_wind},

@@ -183,3 +183,67 @@ TEST_CASE("rotors filled in code are checked by their keys") {
       "rotor.2.hub.mass: is 0, expected a number greater than 0 (kg) of a hub that moves on a "
       "support and carries nothing");
 }
+
+namespace {
+
+/// A third rotor, on what the second one carries.
+const std::string kNestedText = [] {
+  std::string text = kRotorsText;
+  return text.insert(text.find("[[hub_load]]"), R"([[rotor]]
+name = "top"
+hub = { mass = 0.1, drive = { kind = "fixed" } }
+axle = { subsystem = "paddle", body = "one", offset = [0.0, 0.2, 0.0] }
+[[subsystem]]
+name = "leaf"
+rotor = "top"
+body = [ { name = "two", kind = "rigid", mass = 0.2, inertia = 0.1 } ]
+joint = [ { parent = "hub", child = "two", kind = "fixed" } ]
+)");
+}();
+
+}  // namespace
+
+TEST_CASE("a rotor may stand on a subsystem of one before it") {
+  const Scenario scenario = parse_scenario(kNestedText, "f.toml");
+  const spatial::Model& model = *scenario.space;
+  CHECK(axle_of(model, 2).subsystem == "paddle");
+  CHECK(find_rotors_on(model, "support") == std::vector{0, 1});
+  CHECK(find_rotors_on(model, "paddle") == std::vector{2});
+  const std::vector<spatial::Tree> trees = build_trees(model);
+  const spatial::BodyAt hub = find_hub(trees, 2);
+  CHECK(trees[hub.tree].name == "paddle");
+  CHECK(trees[hub.tree].bodies[hub.body].name == "top.hub");
+  CHECK(trees[hub.tree].bodies[hub.body].joint.name == "top.axle");
+  // The tail's axle is at (-6, 0, 0.5); its hub's frame has z along y.
+  const spatial::Placement placed = find_hub_placement(model, trees, 2);
+  CHECK((placed.position - spatial::Vector(-6.0, 0.2, 0.5)).norm() < 1e-12);
+  const std::string json = scenario.to_json();
+  CHECK(parse_scenario(test::document_of(json), scenario.name).to_json() == json);
+}
+
+TEST_CASE("rotors on subsystems that cannot be are refused") {
+  check_edits(
+      kNestedText,
+      {
+          {"subsystem = \"paddle\"", "subsystem = \"padle\"",
+           "f.toml:56:22: rotor.3.axle.subsystem: is \"padle\", did you mean \"paddle\"?"},
+          {"subsystem = \"paddle\", body = \"one\"", "subsystem = \"leaf\", body = \"two\"",
+           "f.toml:56:22: rotor.3.axle.subsystem: is \"leaf\", which the hub of \"top\" carries; "
+           "expected a subsystem of a rotor before this one"},
+          {"body = \"one\", offset", "offset",
+           "f.toml:56:8: rotor.3.axle.body: is missing, expected the name of the body that carries "
+           "the axle"},
+          {"body = \"one\", offset", "body = \"fuselage\", offset",
+           "f.toml:56:39: rotor.3.axle.body: is \"fuselage\", expected \"one\""},
+          {"body = \"fuselage\"\n", "subsystem = \"paddle\"\nbody = \"one\"\n",
+           "f.toml:21:13: rotor.1.axle.subsystem: is \"paddle\", but the first rotor stands on the "
+           "support; expected none"},
+          {"child = \"one\"\n", "child = \"one\"\nname = \"top.axle\"\n",
+           "f.toml:52:8: subsystem.1.joint.1.name: is \"top.axle\", which is the axle of a rotor; "
+           "expected another name"},
+      });
+  check_model_message(
+      [](spatial::Model& model) { model.support->axle.subsystem = "paddle"; },
+      "support.axle.subsystem: is \"paddle\", but the first rotor stands on the support; expected "
+      "none");
+}

@@ -50,8 +50,12 @@ space::Pose pose_of_hub(const System<Space>& system, std::size_t i, const StepDa
   const int rotor = system.subsystems[i].rotor;
   if (rotor < 0) return {};
   const SupportedRotor& carried = system.rotors[static_cast<std::size_t>(rotor)];
-  return data.subsystems[static_cast<std::size_t>(carried.subsystem)]
-      .loops.poses[static_cast<std::size_t>(carried.body)];
+  const auto carrier = static_cast<std::size_t>(carried.subsystem);
+  const space::Pose& pose =
+      data.subsystems[carrier].loops.poses[static_cast<std::size_t>(carried.body)];
+  if (system.subsystems[carrier].rotor < 0) return pose;
+  const space::Pose outer = pose_of_hub(system, carrier, data);
+  return {outer.p + outer.R * pose.p, outer.R * pose.R};
 }
 
 /// The places of a loop between subsystems, both in H of its own.

@@ -32,8 +32,9 @@ space::Pose calc_start(const System<Space>& system, const Subsystem<Space>& subs
   space::Pose base{system.hub.position, rotation_of(system.hub, 0.0)};
   if (subsystem.rotor < 0) return base;
   const SupportedRotor& rotor = system.rotors[static_cast<std::size_t>(subsystem.rotor)];
-  const space::Pose hub =
-      calc_rest_pose(system.subsystems[static_cast<std::size_t>(rotor.subsystem)], rotor.body);
+  const Subsystem<Space>& carrier = system.subsystems[static_cast<std::size_t>(rotor.subsystem)];
+  const space::Pose hub = calc_rest_pose(carrier, rotor.body);
+  if (carrier.rotor >= 0) base = calc_start(system, carrier);
   return {base.p + base.R * hub.p, base.R * hub.R};
 }
 

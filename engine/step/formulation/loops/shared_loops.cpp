@@ -30,15 +30,16 @@ bool is_at_base(const System<World>& system, int subsystem) {
 }
 
 /// Calls `visit(share on the hub, share of a subsystem of the rotor)` for what comes through the
-/// hub of a rotor, loop by loop.
+/// hub of a rotor, from its subsystems and what these carry, loop by loop.
 template <class World, class Visit>
 void for_rows_on_hub(const System<World>& system, int rotor, Visit&& visit) {
   for (const SharedLoop& loop : system.shared_loops)
     for (const SharedLoop::OnHub& on_hub : loop.on_hubs) {
       if (on_hub.rotor != rotor) continue;
-      for (const LoopAt* of : {&loop.own, &loop.end})
-        if (system.subsystems[static_cast<std::size_t>(of->subsystem)].rotor == rotor)
-          visit(on_hub, *of);
+      for_shares(loop, [&](const LoopAt& of) {
+        if (system.subsystems[static_cast<std::size_t>(of.subsystem)].rotor == rotor)
+          visit(on_hub, of);
+      });
     }
 }
 
