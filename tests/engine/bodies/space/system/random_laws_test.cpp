@@ -121,3 +121,21 @@ TEST_CASE("random forests whose beams have strains of second order obey the laws
     check_models(hub, 12, spatial::BeamStrain::nonlinear);
   }
 }
+
+TEST_CASE("random trees of subsystems on subsystems, tied by springs, obey the laws of mechanics") {
+  for (int number = 0; number < 40; ++number) {
+    CAPTURE(number);
+    const bool flies = number % 2 == 0;
+    std::mt19937 random(static_cast<unsigned>(5000 + number));
+    Scenario scenario;
+    scenario.space = spatial::testing::make_random_levels(flies, random);
+    REQUIRE_NOTHROW(check_scenario(scenario));
+    const System<Space> system = make_system(*scenario.space);
+    check_formulations(
+        system, number % 4 < 2 ? Method{Rk4{1e-4}} : Method{make_generalized_alpha(0.8, 2e-3)});
+    check_energy(system);
+    if (flies)
+      check_momentum(RandomHub::free,
+                     make_system(spatial::testing::without_loads(*scenario.space)));
+  }
+}

@@ -1,5 +1,6 @@
 #include "tests/engine/bodies/space/system/random_model.h"
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -210,7 +211,107 @@ void add_loads(Dice& dice, Model& model) {
                                .torque = dice.vector(0.5)});
 }
 
+Support make_base(bool flies, Dice& dice) {
+  Support support;
+  if (!flies) return support;
+  support.from = SupportBase::free;
+  support.fuselage.mass = dice.number(4.0, 8.0);
+  support.fuselage.center = dice.vector(0.1);
+  support.fuselage.inertia = dice.inertia(0.5);
+  support.fuselage.angular_velocity = dice.vector(1.0);
+  return support;
+}
+
+Hub make_hub(int rotor, Dice& dice) {
+  Hub hub;
+  hub.name = "r" + std::to_string(rotor);
+  hub.axis = dice.axis();
+  hub.mass = dice.number(0.2, 0.6);
+  hub.center = dice.vector(0.05);
+  hub.inertia = dice.inertia(0.02);
+  const double speed = dice.number(-3.0, 3.0);
+  const std::array<Drive, 4> drives{FixedDrive{}, SpinUp{speed, 0.5}, FreeDrive{speed},
+                                    TorqueDrive{Curve(0.1 * speed), speed}};
+  hub.drive = drives[static_cast<std::size_t>(dice.index(4))];
+  return hub;
+}
+
+/// Returns an axle on any body of a subsystem.
+Axle make_axle(const Subsystem& carrier, Dice& dice) {
+  const Body& body =
+      carrier.bodies[static_cast<std::size_t>(dice.index(static_cast<int>(carrier.bodies.size())))];
+  Axle axle;
+  axle.subsystem = carrier.name;
+  axle.body = body.name;
+  axle.offset = dice.vector(0.2);
+  axle.orientation = dice.vector(1.0);
+  return axle;
+}
+
+/// A spring between any bodies of two subsystems.
+Loop make_spring(const Subsystem& own, const Subsystem& other, const std::string& name,
+                 Dice& dice) {
+  const auto place_on = [&dice](const Subsystem& subsystem) {
+    LoopPlace place;
+    const auto count = static_cast<int>(subsystem.bodies.size());
+    const Body& body = subsystem.bodies[static_cast<std::size_t>(dice.index(count))];
+    place.name = body.name;
+    if (std::holds_alternative<RigidBody>(body.shape)) place.point = dice.vector(0.2);
+    return place;
+  };
+  Loop spring;
+  spring.name = name;
+  spring.from = place_on(own);
+  spring.to = place_on(other);
+  spring.to.carrier = LoopPlace::Carrier::elsewhere;
+  spring.to.subsystem = other.name;
+  spring.to.orientation = Vector::Zero();
+  spring.stiffness.assign(3, dice.number(2.0, 6.0));
+  spring.damping.assign(3, dice.number(0.0, 0.2));
+  return spring;
+}
+
 }  // namespace
+
+Model make_random_levels(bool flies, std::mt19937& random) {
+  Dice dice(random);
+  Model model;
+  model.support = make_base(flies, dice);
+  Subsystem tree;
+  tree.name = kSupportName;
+  tree.bodies.push_back({"stage", make_rigid_body(dice)});
+  SubsystemJoint& joint = tree.joints.emplace_back();
+  joint.child = "stage";
+  joint.parent = base_name(model.support->from);
+  joint.joint = make_joint(false, dice);
+  model.hub = make_hub(0, dice);
+  model.support->axle = make_axle(tree, dice);
+  model.support->axle.subsystem.clear();
+  const int count = 3 + dice.index(2);
+  for (int r = 0; r < count; ++r) {
+    if (r > 0) {
+      const int carrier = dice.index(r + 1);
+      Axle axle = carrier == r
+                      ? make_axle(tree, dice)
+                      : make_axle(model.subsystems[static_cast<std::size_t>(carrier)], dice);
+      if (carrier == r) axle.subsystem.clear();
+      model.rotors.push_back({make_hub(r, dice), axle});
+    }
+    Subsystem forest = make_forest("s" + std::to_string(r), false, dice);
+    forest.rotor = r;
+    model.subsystems.push_back(std::move(forest));
+  }
+  for (int k = 0; k < 2; ++k) {
+    Subsystem& own = model.subsystems[static_cast<std::size_t>(k)];
+    const Subsystem& other = k == 0 ? tree : model.subsystems[static_cast<std::size_t>(count) - 1];
+    own.loops.push_back(make_spring(own, other, "spring", dice));
+  }
+  model.subsystems.push_back(std::move(tree));
+  model.gravity = 9.81 * dice.axis();
+  model.damping.stiffness_factor = dice.number(0.0, 1e-4);
+  add_loads(dice, model);
+  return model;
+}
 
 Model make_random_model(RandomHub hub, std::mt19937& random) {
   Dice dice(random);

@@ -24,6 +24,11 @@ inline constexpr double kRandomTorque = 0.8;
 /// prescribed motion; gravity, and loads in all frames. Soft enough for steps of 0.1 ms.
 Model make_random_model(RandomHub hub, std::mt19937& random);
 
+/// Rotors with forests on a body of a support, each further one on the support or on a body of what
+/// one before it carries; springs between bodies of different subsystems; gravity and loads. The
+/// support flies, or hangs by a joint of any kind on the ground.
+Model make_random_levels(bool flies, std::mt19937& random);
+
 /// Returns the model without gravity and loads. Nothing else acts from outside, but for the torque
 /// on a hub that one turns.
 Model without_loads(Model model);
