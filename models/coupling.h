@@ -13,6 +13,12 @@ struct CoupledJoint {
   std::string joint{};  ///< name of a joint of the subsystem, which is free or prescribed
   int coordinate = 1;   ///< its coordinate, from 1
   double ratio = 0.0;   ///< c, not 0 [1/rad, 1/m, or without unit for all of one coupling]
+  /// Where the joint is if not on the blade or subsystem whose coupling it is: the number of a
+  /// blade, from 1, or the name of a subsystem; but for one coordinate at least.
+  int blade = 0;
+  std::string subsystem{};
+
+  bool is_elsewhere() const { return blade != 0 || !subsystem.empty(); }
 };
 
 /// Keeps sum c (q - q_0) = 0 over coordinates q of joints, which are q_0 in the scenario at t = 0.

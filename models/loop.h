@@ -125,6 +125,9 @@ struct Anchor {
   bool turns_with_hub = false;
   /// Motion of its frame.
   std::variant<spatial::MountMotion, ProgramAnchorMotion> motion{};
+  /// Number of the rotor whose hub or axle it is beside, see spatial::hub_of(); of the frame
+  /// `mount` 0.
+  int rotor = 0;
 };
 
 /// Returns "hub", "mount" or "axle".

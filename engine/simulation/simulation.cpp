@@ -163,7 +163,7 @@ void Simulation::set_anchor_motion(std::string_view anchor, const AnchorMotion& 
 
 void Simulation::set_anchor_course(std::string_view anchor, const spatial::MountMotion& course) {
   const double t = time();
-  const AnchorModel model{std::string(anchor), Anchor::Frame::mount, false, course, {}};
+  const AnchorModel model{std::string(anchor), Anchor::Frame::mount, false, course, {}, 0};
   core_->set_anchor_motion(anchor, motion_of(model, t), course);
 }
 

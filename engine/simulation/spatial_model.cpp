@@ -140,8 +140,9 @@ MarkerMotion SpatialModel::carrier_frame(int anchor, double t) const {
   const bool is_of_hub =
       anchor >= 0 && model.anchors[static_cast<std::size_t>(anchor)].frame != Anchor::Frame::mount;
   // What a support stands on has the axes of the description.
+  const int rotor = is_of_hub ? model.anchors[static_cast<std::size_t>(anchor)].rotor : 0;
   if (!model.support || is_of_hub)
-    motion.rotation *= rotor_placement(model.hub).rotation.transpose();
+    motion.rotation *= rotor_placement(hub_of(model, rotor)).rotation.transpose();
   return motion;
 }
 

@@ -32,14 +32,12 @@ Wrench wrench_in_space(const space::Twist& wrench) {
 
 /// Returns the hub that an anchor, or the mount (-1), moves against: of a rotor on a support its
 /// own for anchors of the frames "hub" and "axle", what the support stands on for all others.
-HubState<Plane> find_carrier_hub(const SystemContext<Plane>& context, int) {
-  return calc_hub_state(context.data);
-}
-HubState<Space> find_carrier_hub(const SystemContext<Space>& context, int anchor) {
+template <class World>
+HubState<World> find_carrier_hub(const SystemContext<World>& context, const AnchorModel* anchor) {
   const bool is_of_rotor =
-      !context.data.rotors.empty() && anchor >= 0 &&
-      context.system.anchors[static_cast<std::size_t>(anchor)].frame != Anchor::Frame::mount;
-  return is_of_rotor ? context.data.rotors.front().hub : calc_hub_state(context.data);
+      !context.data.rotors.empty() && anchor && anchor->frame != Anchor::Frame::mount;
+  return is_of_rotor ? context.data.rotors[static_cast<std::size_t>(anchor->rotor)].hub
+                     : calc_hub_state(context.data);
 }
 
 /// Returns the motion of an anchor, or of the mount (-1).
@@ -48,10 +46,13 @@ MarkerMotion calc_carrier(const SystemContext<World>& context, int anchor, doubl
   LoopPlaceModel place;
   place.carrier = anchor < 0 ? LoopPlace::Carrier::mount : LoopPlace::Carrier::anchor;
   place.anchor = anchor;
-  const HubState<World> own = find_carrier_hub(context, anchor);
+  const AnchorModel* const model =
+      anchor < 0 ? nullptr : &context.system.anchors[static_cast<std::size_t>(anchor)];
+  const HubState<World> own = find_carrier_hub(context, model);
   const HubState<Space>& hub = hub_in_space(own);
-  const DriveMotion* const axle =
-      context.data.rotors.empty() ? nullptr : &context.data.rotors.front().turn;
+  const DriveMotion* axle = nullptr;
+  if (!context.data.rotors.empty())
+    axle = &context.data.rotors[static_cast<std::size_t>(model ? model->rotor : 0)].turn;
   const PlaceMotion in_hub = calc_carried_place(context.system, own, axle, place, t).motion;
   const space::Twist velocity = hub.R * in_hub.twist;
   return {hub.p + hub.R * in_hub.p, (hub.R * in_hub.R).axes, linear(velocity), angular(velocity)};

@@ -81,6 +81,10 @@ Fault find_fault(const Anchor& anchor, const std::vector<Anchor>& before,
     first.add({"turns_with_hub",
                "is true in the frame \"hub\", which turns with the hub itself; expected it only "
                "with frame = \"mount\" or \"axle\""});
+  if (anchor.frame == Anchor::Frame::mount && anchor.rotor != 0)
+    first.add({"rotor",
+               "is not the first, but the frame is \"mount\", which is no rotor's; expected none, "
+               "or frame = \"hub\" or \"axle\""});
   std::visit(
       [&](const auto& motion) {
         first.add(find_motion_fault(motion));
@@ -95,7 +99,7 @@ Fault find_axle_frame_fault(const spatial::Model& model) {
     if (model.anchors[i].frame != Anchor::Frame::axle) continue;
     const std::string key = "anchor." + std::to_string(i + 1) + ".frame";
     if (!model.support) return {key, kNoSupport};
-    if (!spatial::is_hub_prescribed(model, 0))
+    if (!spatial::is_hub_prescribed(model, model.anchors[i].rotor))
       return {key,
               "is \"axle\", but no drive prescribes the hub's angle, so that its forces would turn "
               "the hub; expected a drive that does, or \"hub\""};

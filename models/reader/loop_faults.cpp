@@ -83,15 +83,16 @@ Fault find_body_fault(const LoopPlace& place, const LoopSurroundings& around) {
 /// support, are on two sides of the axle.
 Fault find_frame_fault(const Anchor& anchor, const LoopSurroundings& around) {
   const bool is_of_mount = anchor.frame == Anchor::Frame::mount;
-  if (around.is_of_further_rotor)
-    return {"anchor",
-            "is \"" + anchor.name + "\", an anchor of the first rotor; expected \"hub\" or a body"};
   const std::string found = "is \"" + anchor.name + "\", an anchor of the frame \"" +
                             std::string(name_of(anchor.frame)) + '"';
   if (around.base == LoopBase::supported && is_of_mount)
     return {"anchor", found +
                           ", but the hub is on a support; expected one of the frame \"hub\" or "
                           "\"axle\""};
+  if (!around.is_support() && anchor.rotor != around.rotor)
+    return {"anchor", "is \"" + anchor.name +
+                          "\", an anchor of another rotor; expected one of its own, \"hub\" or a "
+                          "body"};
   if (!around.is_support()) return {};
   if (!is_of_mount)
     return {"anchor", found +
@@ -290,7 +291,7 @@ LoopSurroundings surroundings_of(const Blade& blade, const Hub& hub,
 
 LoopSurroundings surroundings_of(const spatial::Blade& blade, const spatial::Model& model) {
   LoopSurroundings around{false, base_on_hub(model), &model.anchors, {{"", blade.beam.length}}};
-  around.is_of_further_rotor = blade.rotor > 0;
+  around.rotor = blade.rotor;
   return around;
 }
 
@@ -300,7 +301,7 @@ LoopSurroundings surroundings_of(const spatial::Subsystem& subsystem, const spat
     base =
         model.support->from == spatial::SupportBase::ground ? LoopBase::ground : LoopBase::fuselage;
   LoopSurroundings around{false, base, &model.anchors};
-  around.is_of_further_rotor = subsystem.rotor > 0;
+  around.rotor = subsystem.rotor;
   for (const spatial::Body& body : subsystem.bodies) {
     const auto* beam = std::get_if<spatial::Beam>(&body.shape);
     around.bodies.push_back({body.name, beam ? std::optional(beam->length) : std::nullopt, 1,

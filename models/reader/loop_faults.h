@@ -38,7 +38,7 @@ struct LoopSurroundings {
   LoopBase base = LoopBase::axle;
   const std::vector<Anchor>* anchors = nullptr;
   std::vector<LoopBody> bodies{};
-  bool is_of_further_rotor = false;  ///< the hub of another rotor than the first carries it
+  int rotor = 0;  ///< number of the rotor whose hub carries it
 
   bool is_blade() const { return bodies.size() == 1 && bodies.front().name.empty(); }
   bool is_support() const { return base == LoopBase::ground || base == LoopBase::fuselage; }

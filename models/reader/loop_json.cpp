@@ -71,6 +71,12 @@ Json to_json(const Loop& loop, const LoopSurroundings& around) {
   return json;
 }
 
+}  // namespace
+
+void add_loops(const std::vector<Loop>& loops, const LoopSurroundings& around, Json& json) {
+  for (const Loop& loop : loops) json.append("loop", to_json(loop, around));
+}
+
 Json to_json(const Anchor& anchor, bool in_plane) {
   Json json = {{"name", anchor.name},
                {"frame", name_of(anchor.frame)},
@@ -87,16 +93,6 @@ Json to_json(const Anchor& anchor, bool in_plane) {
   json.set("motion", {{"translation", spatial::to_json(motion.translation, "m", place)},
                       {"rotation", spatial::to_json(motion.rotation, "rad", rotation)}});
   return json;
-}
-
-}  // namespace
-
-void add_loops(const std::vector<Loop>& loops, const LoopSurroundings& around, Json& json) {
-  for (const Loop& loop : loops) json.append("loop", to_json(loop, around));
-}
-
-void add_anchors(const std::vector<Anchor>& anchors, bool in_plane, Json& json) {
-  for (const Anchor& anchor : anchors) json.append("anchor", to_json(anchor, in_plane));
 }
 
 }  // namespace spoke

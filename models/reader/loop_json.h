@@ -11,7 +11,7 @@ namespace spoke {
 
 /// Adds the loops of a blade or a subsystem to its table; nothing if there are none.
 void add_loops(const std::vector<Loop>& loops, const LoopSurroundings& around, Json& json);
-/// Adds the anchors to the tables of a model; nothing if there are none.
-void add_anchors(const std::vector<Anchor>& anchors, bool in_plane, Json& json);
+/// Returns the table of an anchor, but for the name of its rotor.
+Json to_json(const Anchor& anchor, bool in_plane);
 
 }  // namespace spoke

@@ -59,27 +59,19 @@ void check_kind_keys(const TomlSection& section, LoopKind kind, bool in_plane) {
 }
 
 /// Reads a place on another blade or subsystem, of which all else is looked at later.
-void read_elsewhere(const TomlSection& table, LoopPlace& place) {
-  if (table.has("blade") && table.has("subsystem"))
-    table.fail("blade", "given along with subsystem, expected only one of them");
+void read_place_elsewhere(const TomlSection& table, LoopPlace& place) {
+  read_elsewhere(table, place.blade, place.subsystem);
   if (table.has("anchor"))
     table.fail("anchor", std::string("given along with ") +
                              (table.has("blade") ? "blade" : "subsystem") +
                              ", expected only one of them");
   place.carrier = LoopPlace::Carrier::elsewhere;
   place.name = table.text("body", "");
-  place.subsystem = table.text("subsystem", "");
-  if (!table.has("blade")) return;
-  if (table.is_text("blade"))
-    table.choice("blade", {"next"});
-  else
-    place.blade = table.integer("blade", {1, kMostOfAKind});
-  if (place.blade == 0) place.blade = spatial::kNextBlade;
 }
 
 /// Reads what carries a place by its name.
 void read_carrier(const TomlSection& table, const LoopSurroundings& around, LoopPlace& place) {
-  if (table.has("blade") || table.has("subsystem")) return read_elsewhere(table, place);
+  if (table.has("blade") || table.has("subsystem")) return read_place_elsewhere(table, place);
   if (table.has("anchor")) {
     if (table.has("body")) table.fail("anchor", "given along with body, expected only one of them");
     place.carrier = LoopPlace::Carrier::anchor;
@@ -215,6 +207,18 @@ void read_motion(const TomlSection& section, bool in_plane, Anchor& anchor) {
 
 }  // namespace
 
+void read_elsewhere(const TomlSection& table, int& blade, std::string& subsystem) {
+  if (table.has("blade") && table.has("subsystem"))
+    table.fail("blade", "given along with subsystem, expected only one of them");
+  subsystem = table.text("subsystem", "");
+  if (!table.has("blade")) return;
+  if (table.is_text("blade"))
+    table.choice("blade", {"next"});
+  else
+    blade = table.integer("blade", {1, kMostOfAKind});
+  if (blade == 0) blade = spatial::kNextBlade;
+}
+
 std::vector<Loop> read_loops(const TomlSection& parent, const LoopSurroundings& around) {
   const TomlSection::Keys keys =
       around.in_plane ? keys::keys_of(keys::kLoopRows) : keys::keys_of(keys::kSpaceLoopRows);
@@ -226,13 +230,18 @@ std::vector<Loop> read_loops(const TomlSection& parent, const LoopSurroundings& 
 }
 
 std::vector<Anchor> read_anchors(const TomlSection& root, const std::string& mount_fault,
-                                 bool in_plane) {
+                                 const RotorReader& read_rotor) {
+  const bool in_plane = !read_rotor;
   std::vector<Anchor> anchors;
   for (const TomlSection& section : root.sections("anchor", keys::keys_of(keys::kAnchorRows))) {
     Anchor anchor;
     if (!section.has("name")) section.fail("name", "is missing, expected a name");
     anchor.name = section.text("name", "");
     keys::read(section, keys::kAnchorRows, &anchor);
+    if (read_rotor)
+      anchor.rotor = read_rotor(section);
+    else if (section.has("rotor"))
+      section.fail("rotor", "names a rotor in space, expected none in the plane");
     read_motion(section, in_plane, anchor);
     if (const Fault fault = find_fault(anchor, anchors, mount_fault, in_plane))
       section.fail_at(fault.path, fault.text);

@@ -177,7 +177,7 @@ void add_rotor(const Rotor& rotor, Json& json) {
   Json blades = Json::array();
   for (const Blade& blade : rotor.blades) blades.push_back(to_json(blade, rotor));
   json.set("blades", std::move(blades));
-  add_anchors(rotor.anchors, true, json);
+  for (const Anchor& anchor : rotor.anchors) json.append("anchor", to_json(anchor, true));
   json.set("gravity", gravity);
   json.set("damping", damping_to_json(rotor.damping));
   json.set("load", to_list(rotor.loads));

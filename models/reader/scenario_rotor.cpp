@@ -168,7 +168,7 @@ std::vector<Blade> read_blades(const TomlSection& root, const Rotor& rotor) {
 Rotor read_rotor(const TomlSection& root) {
   Rotor rotor;
   rotor.hub = read_hub(root);
-  rotor.anchors = read_anchors(root, find_mount_fault(rotor.hub.support), true);
+  rotor.anchors = read_anchors(root, find_mount_fault(rotor.hub.support), {});
   rotor.blades = read_blades(root, rotor);
   const TomlSection gravity = root.section("gravity", keys::keys_of(keys::kGravityRows));
   if (gravity.has("acceleration")) {

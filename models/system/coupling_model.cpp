@@ -41,22 +41,26 @@ CoupledCoordinate find_coordinate(const spatial::Tree& tree, const CoupledJoint&
 
 }  // namespace
 
-LoopModel make_coupling(const spatial::Tree& tree, std::size_t coupling) {
-  assert(coupling < tree.couplings.size());
-  const Coupling& model = tree.couplings[coupling];
+LoopModel make_coupling_share(const spatial::Tree& tree, const Coupling& coupling) {
   LoopModel made;
   LoopRow row;
   row.kind = LoopRow::Kind::coupling;
-  row.stiffness = model.stiffness;
-  row.damping = model.damping;
-  for (const CoupledJoint& at : model.joints)
-    made.coupled.push_back(find_coordinate(tree, at, row.rest));
+  row.stiffness = coupling.stiffness;
+  row.damping = coupling.damping;
+  for (const CoupledJoint& at : coupling.joints)
+    if (!at.is_elsewhere()) made.coupled.push_back(find_coordinate(tree, at, row.rest));
   made.rows.push_back(row);
-  made.name = model.name;
+  made.name = coupling.name;
   made.owner = tree.name;
-  made.key = tree.key + ".coupling." + std::to_string(coupling + 1);
-  made.from.body = made.coupled.front().body;
+  if (made.is_coupling()) made.from.body = made.coupled.front().body;
   made.to.carrier = LoopPlace::Carrier::hub;
+  return made;
+}
+
+LoopModel make_coupling(const spatial::Tree& tree, std::size_t coupling) {
+  assert(coupling < tree.couplings.size());
+  LoopModel made = make_coupling_share(tree, tree.couplings[coupling]);
+  made.key = tree.key + ".coupling." + std::to_string(coupling + 1);
   return made;
 }
 

@@ -150,7 +150,7 @@ double LoopModel::unit_of(const LoopRow& row, double length) const {
 }
 
 AnchorModel make_anchor(const Anchor& anchor, const space::Rotation& to_axis) {
-  AnchorModel made{anchor.name, anchor.frame, anchor.turns_with_hub, {}, to_axis};
+  AnchorModel made{anchor.name, anchor.frame, anchor.turns_with_hub, {}, to_axis, anchor.rotor};
   if (const auto* mount = std::get_if<spatial::MountMotion>(&anchor.motion)) {
     made.motion = *mount;
   } else {

@@ -76,7 +76,7 @@ struct LoopModel {
   /// Index in System::shared_loops if the loop spans several subsystems; -1: it does not.
   int shared = -1;
   /// Whether it is but a share of such a loop, that of a subsystem whose loop it is not: `from` is
-  /// its place there, and `to` is elsewhere.
+  /// its place there, or `coupled` its joints, and `to` is elsewhere.
   bool is_share = false;
 
   bool is_shared() const { return shared >= 0; }
@@ -93,12 +93,14 @@ struct LoopAt {
   int loop = 0;
 };
 
-/// A loop between bodies of different subsystems. Each that it visits has a share of it among its
-/// loops; what closes it is found where all meet, at the base of the system (docs/formulation.md,
-/// section 12).
+/// A loop between bodies of different subsystems, or a coupling of their joints. Each that it
+/// visits has a share of it among its loops; what closes it is found where all meet, at the base of
+/// the system (docs/formulation.md, section 12).
 struct SharedLoop {
   LoopAt own;  ///< the loop itself, whose place `from` is of its subsystem
-  LoopAt end;  ///< the share of the subsystem of its place `to`, which it has as `from`
+  /// Of a loop the share of the subsystem of its place `to`, which it has as `from`; of a coupling
+  /// one for each subsystem of its joints besides its own.
+  std::vector<LoopAt> ends;
   /// A share of the support, on the hub of a rotor from whose subsystems the loop comes.
   struct OnHub : LoopAt {
     int rotor = 0;
@@ -122,6 +124,7 @@ struct AnchorModel {
   bool turns_with_hub = false;
   std::variant<spatial::MountMotion, SaidAnchorMotion> motion;
   space::Rotation to_axis;  ///< from the frame of the description to H
+  int rotor = 0;            ///< see Anchor
 };
 
 /// Makes the rows of a closure; in the plane those that lie in it.

@@ -66,6 +66,7 @@ spatial::Model without_support(const spatial::Model& model, int rotor) {
   for (spatial::Blade& blade : taken.blades) blade.rotor = 0;
   for (spatial::Subsystem& subsystem : taken.subsystems) subsystem.rotor = 0;
   for (spatial::HubLoad& load : taken.hub_loads) load.rotor = 0;
+  for (Anchor& anchor : taken.anchors) anchor.rotor = 0;  // those of others carry none of its loops
   keep_loads(model, rotor, taken.loads);
   keep_loads(model, rotor, taken.distributed_loads);
   return taken;

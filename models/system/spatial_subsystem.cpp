@@ -158,7 +158,7 @@ class SubsystemMaker {
         if (place->carrier == LoopPlace::Carrier::body)
           places[static_cast<std::size_t>(place->body)].push_back(place);
     for (const spatial::LoopEnd& end : tree.ends)
-      places[static_cast<std::size_t>(end.place.body)].push_back(&end.place);
+      if (end.has_place()) places[static_cast<std::size_t>(end.place.body)].push_back(&end.place);
     return places;
   }
 
@@ -195,14 +195,15 @@ class SubsystemMaker {
     made.to = make_place(loop.to);
   }
 
-  /// Adds the share of a loop of another tree.
+  /// Adds the share of a loop or a coupling of another tree.
   void add_share(const spatial::LoopEnd& end) {
-    LoopModel& made = made_.loops.emplace_back(make_loop(end.loop, false));
-    made.name = end.owner + " / " + end.loop.name;
+    LoopModel& made = made_.loops.emplace_back(
+        end.coupling ? make_coupling_share(tree_, *end.coupling) : make_loop(end.loop, false));
+    made.name = end.owner + " / " + end.name();
     if (end.is_on_hub) made.name += " / " + body(static_cast<std::size_t>(end.place.body)).name;
     made.owner = tree_.name;
     made.is_share = true;
-    made.from = make_place(end.place);
+    if (end.has_place()) made.from = make_place(end.place);
     made.to.carrier = LoopPlace::Carrier::elsewhere;
   }
 

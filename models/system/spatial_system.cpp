@@ -289,7 +289,15 @@ void add_rotors(const spatial::Model& model, const std::vector<spatial::Tree>& t
   }
 }
 
-/// Finds the loops that span several subsystems, and their shares.
+/// Whether a loop of a tree, or a coupling behind these, spans several.
+bool spans_several(const spatial::Tree& tree, std::size_t loop) {
+  if (loop < tree.loops.size()) return tree.loops[loop].to.carrier == LoopPlace::Carrier::elsewhere;
+  const std::vector<CoupledJoint>& joints = tree.couplings[loop - tree.loops.size()].joints;
+  return std::any_of(joints.begin(), joints.end(),
+                     [](const CoupledJoint& at) { return at.is_elsewhere(); });
+}
+
+/// Finds the loops and couplings that span several subsystems, and their shares.
 void list_shared_loops(const std::vector<spatial::Tree>& trees, System<Space>& system) {
   const auto at = [](std::size_t subsystem, std::size_t loop) {
     return LoopAt{static_cast<int>(subsystem), static_cast<int>(loop)};
@@ -299,22 +307,25 @@ void list_shared_loops(const std::vector<spatial::Tree>& trees, System<Space>& s
         .loops[static_cast<std::size_t>(share.loop)]
         .shared = static_cast<int>(system.shared_loops.size()) - 1;
   };
+  const auto own_loops = [](const spatial::Tree& tree) {
+    return tree.loops.size() + tree.couplings.size();
+  };
   for (std::size_t i = 0; i < trees.size(); ++i)
-    for (std::size_t k = 0; k < trees[i].loops.size(); ++k) {
-      if (trees[i].loops[k].to.carrier != LoopPlace::Carrier::elsewhere) continue;
+    for (std::size_t k = 0; k < own_loops(trees[i]); ++k) {
+      if (!spans_several(trees[i], k)) continue;
       SharedLoop& shared = system.shared_loops.emplace_back();
       mark(shared.own = at(i, k));
       for (std::size_t j = 0; j < trees.size(); ++j) {
         const spatial::Tree& tree = trees[j];
         for (std::size_t e = 0; e < tree.ends.size(); ++e) {
           if (tree.ends[e].tree != i || tree.ends[e].number != k) continue;
-          const LoopAt share = at(j, tree.loops.size() + tree.couplings.size() + e);
+          const LoopAt share = at(j, own_loops(tree) + e);
           mark(share);
           if (tree.ends[e].is_on_hub)
             shared.on_hubs.push_back(
                 {share, tree.bodies[static_cast<std::size_t>(tree.ends[e].place.body)].rotor});
           else
-            shared.end = share;
+            shared.ends.push_back(share);
         }
       }
     }
@@ -426,7 +437,9 @@ System<Space> make_system(const spatial::Model& model, const std::vector<spatial
   for (const Anchor& anchor : model.anchors) {
     // What a support stands on has the axes of the description.
     const bool is_of_base = model.support && anchor.frame == Anchor::Frame::mount;
-    system.anchors.push_back(make_anchor(anchor, is_of_base ? space::Rotation{} : to_axis));
+    system.anchors.push_back(
+        make_anchor(anchor, is_of_base ? space::Rotation{}
+                                       : axis_rotation(hub_of(model, anchor.rotor)).inverse()));
   }
   if (model.air) add_air(model, trees, system);
   require_azimuth(system);

@@ -396,24 +396,60 @@ Placement rotor_placement(const Hub& hub) {
 
 namespace {
 
-/// Adds to the trees that carry rotors the hubs through which loops come that span several trees.
-void add_ends_on_hubs(const Model& model, std::vector<Tree>& trees) {
+/// Adds to trees the hubs through which a loop or a coupling passes that visits `visited` trees, on
+/// their way to the support, hub by hub. `end`: as its ends are.
+void add_ends_on_hubs(const std::set<std::size_t>& visited, LoopEnd end, std::vector<Tree>& trees) {
+  std::set<int> rotors;
+  for (std::size_t tree : visited)
+    while (tree + 1 < trees.size()) {
+      rotors.insert(trees[tree].rotor);
+      tree = find_hub(trees, trees[tree].rotor).tree;
+    }
+  end.is_on_hub = true;
+  for (const int rotor : rotors) {
+    const BodyAt at = find_hub(trees, rotor);
+    end.place = {};
+    end.place.body = static_cast<int>(at.body);
+    trees[at.tree].ends.push_back(end);
+  }
+}
+
+/// Adds to the trees that carry rotors what comes through their hubs of loops that span several
+/// trees.
+void add_loops_on_hubs(const Model& model, std::vector<Tree>& trees) {
   for (std::size_t i = 0; i < trees.size(); ++i)
     for (std::size_t k = 0; k < trees[i].loops.size(); ++k) {
       const Loop& loop = trees[i].loops[k].loop;
-      if (loop.to.carrier != LoopPlace::Carrier::elsewhere) continue;
-      std::set<int> rotors;
-      for (std::size_t end : {i, find_tree(model, loop.to)})
-        while (end + 1 < trees.size()) {  // to the support, hub by hub
-          rotors.insert(trees[end].rotor);
-          end = find_hub(trees, trees[end].rotor).tree;
-        }
-      for (const int rotor : rotors) {
-        const BodyAt at = find_hub(trees, rotor);
-        TreePlace hub;
-        hub.body = static_cast<int>(at.body);
-        trees[at.tree].ends.push_back({i, k, {}, loop, hub, true});
+      if (loop.to.carrier == LoopPlace::Carrier::elsewhere)
+        add_ends_on_hubs({i, find_tree(model, loop.to)}, {i, k, {}, loop}, trees);
+    }
+}
+
+/// Adds the ends of couplings whose joints are on several trees.
+void add_coupling_ends(const Model& model, std::vector<Tree>& trees) {
+  for (std::size_t i = 0; i < trees.size(); ++i)
+    for (std::size_t k = 0; k < trees[i].couplings.size(); ++k) {
+      const Coupling coupling = trees[i].couplings[k];
+      std::map<std::size_t, std::vector<CoupledJoint>> others;
+      for (CoupledJoint at : coupling.joints) {
+        if (!at.is_elsewhere()) continue;
+        const std::size_t tree = find_tree(model, at.blade, at.subsystem);
+        at.blade = 0;
+        at.subsystem.clear();
+        others[tree].push_back(at);
       }
+      if (others.empty()) continue;
+      LoopEnd end{i, trees[i].loops.size() + k};
+      std::set<std::size_t> visited{i};
+      for (const auto& [tree, joints] : others) {
+        visited.insert(tree);
+        end.coupling = coupling;
+        end.coupling->joints = joints;
+        trees[tree].ends.push_back(end);
+      }
+      if (!model.support) continue;
+      end.coupling->joints.clear();
+      add_ends_on_hubs(visited, end, trees);
     }
 }
 
@@ -421,10 +457,13 @@ void add_ends_on_hubs(const Model& model, std::vector<Tree>& trees) {
 
 std::size_t find_tree(const Model& model, const LoopPlace& place) {
   assert(place.carrier == LoopPlace::Carrier::elsewhere);
-  if (place.blade > 0) return static_cast<std::size_t>(place.blade) - 1;
-  const auto at =
-      std::find_if(model.subsystems.begin(), model.subsystems.end(),
-                   [&](const Subsystem& subsystem) { return subsystem.name == place.subsystem; });
+  return find_tree(model, place.blade, place.subsystem);
+}
+
+std::size_t find_tree(const Model& model, int blade, const std::string& subsystem) {
+  if (blade > 0) return static_cast<std::size_t>(blade) - 1;
+  const auto at = std::find_if(model.subsystems.begin(), model.subsystems.end(),
+                               [&](const Subsystem& own) { return own.name == subsystem; });
   assert(at != model.subsystems.end());
   return model.blades.size() + static_cast<std::size_t>(at - model.subsystems.begin());
 }
@@ -455,7 +494,8 @@ std::vector<Tree> build_trees(const Model& model) {
     trees[i].key = is_blade ? "blades." + std::to_string(i + 1)
                             : key_of_subsystem(model, i - model.blades.size());
   }
-  if (model.support) add_ends_on_hubs(model, trees);
+  if (model.support) add_loops_on_hubs(model, trees);
+  add_coupling_ends(model, trees);
   for (Tree& tree : trees)
     for (LoopEnd& end : tree.ends) end.owner = trees[end.tree].name;
   return trees;

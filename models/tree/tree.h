@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -70,11 +71,17 @@ struct TreeLoop {
 /// through which a loop comes that ends on a tree of that rotor, or on one beyond it.
 struct LoopEnd {
   std::size_t tree = 0;    ///< whose loop it is
-  std::size_t number = 0;  ///< of its loops
+  std::size_t number = 0;  ///< of its loops, and of its couplings behind these
   std::string owner{};     ///< name of that tree
   Loop loop{};             ///< as it is described
-  TreePlace place{};
+  TreePlace place{};       ///< none of a coupling's joints
   bool is_on_hub = false;  ///< whether it is such a hub
+  /// As it is described, if it is of a coupling, not of a loop.
+  std::optional<Coupling> coupling = std::nullopt;
+
+  const std::string& name() const { return coupling ? coupling->name : loop.name; }
+  /// Whether it is at a place, on which a wrench acts, rather than at joints.
+  bool has_place() const { return !coupling || is_on_hub; }
 };
 
 /// Bodies on the hub, or of a support on its base; parents stand before their children.
@@ -91,8 +98,9 @@ struct Tree {
   std::vector<Coupling> couplings{};  ///< of joints of the bodies, by their names
 };
 
-/// Returns the index among the trees of a model of the blade or subsystem that a place elsewhere
-/// says. Precondition: there is one.
+/// Return the index among the trees of a model of the blade, by its number from 1, or the subsystem
+/// that a place or a joint elsewhere says. Precondition: there is one.
+std::size_t find_tree(const Model& model, int blade, const std::string& subsystem);
 std::size_t find_tree(const Model& model, const LoopPlace& place);
 
 /// A loop that ends on a tree that is not its own, by its number among those of its tree.

@@ -140,12 +140,15 @@ spatial::Placement SteadyScene::to_drawn(int subsystem, const EquilibriumResult&
 void SteadyScene::put_anchors(const Scenario& scenario, const EquilibriumResult& result) {
   const std::vector<Anchor>& anchors =
       scenario.space ? scenario.space->anchors : scenario.rotor.anchors;
-  spatial::Vector axis = spatial::Vector::UnitZ();
-  if (scenario.space) axis = scenario.space->hub.axis.normalized();
   for (const scene::Carrier& carrier : scene_.carriers) {
     if (carrier.anchor < 0) continue;
     const Anchor& anchor = anchors[static_cast<std::size_t>(carrier.anchor)];
-    const bool is_averaged = anchor.turns_with_hub && result.speed != 0.0;
+    spatial::Vector axis = spatial::Vector::UnitZ();
+    if (scenario.space) axis = hub_of(*scenario.space, anchor.rotor).axis.normalized();
+    const double speed = result.rotors.empty()
+                             ? result.speed
+                             : result.rotors[static_cast<std::size_t>(anchor.rotor)].speed;
+    const bool is_averaged = anchor.turns_with_hub && speed != 0.0;
     first_[static_cast<std::size_t>(carrier.group)] =
         scene::calc_last_place(anchor, is_averaged ? &axis : nullptr);
   }
@@ -155,14 +158,15 @@ Json SteadyScene::describe() const { return run_report::describe_scene(scene_); 
 
 Json SteadyScene::describe(const EquilibriumResult& result) const {
   std::vector<spatial::Placement> motions(static_cast<std::size_t>(scene_.groups));
-  for (const scene::Carrier& carrier : scene_.carriers) {
-    const auto g = static_cast<std::size_t>(carrier.group);
-    motions[g] = first_[g];
-  }
   for (std::size_t r = 1; r < result.rotors.size(); ++r) {
     const HubPlace& hub = result.rotors[r].hub;
     motions[static_cast<std::size_t>(scene_.hubs[r].group)] = {
         hub.position, hub.axes * scene_.hubs[r].to_hub.transpose()};
+  }
+  for (const scene::Carrier& carrier : scene_.carriers) {
+    const auto g = static_cast<std::size_t>(carrier.group);
+    const auto hub = static_cast<std::size_t>(scene::group_of_hub(scene_, carrier));
+    motions[g] = hub == 0 ? first_[g] : motions[hub] * first_[g];
   }
   std::vector<float> displacements(3 * scene_.nodes.size()), rotations = displacements, groups;
   if (!result.blades.empty()) {

@@ -427,11 +427,14 @@ def coupling(*, name, joints, stiffness=None, damping=None):
     return _given(locals())
 
 
-def coupled_joint(*, joint, ratio, coordinate=None):
+def coupled_joint(*, joint, ratio, subsystem=None, blade=None, coordinate=None):
     """A coordinate of a joint in a coupling.
 
     joint: name of a joint of the blade or subsystem, free or prescribed; of a support also "axle",
         and "tail.axle" of a further rotor by the name "tail"
+    subsystem: name of the subsystem whose joint it is, "support" among them, if not of that of the
+        coupling; of one coordinate at least it is
+    blade: in its place number of a blade, from 1, or "next": the next one of the rotor
     coordinate: number of its coordinate
     ratio: its factor in the sum; in all tables of a coupling of the same unit times coordinate [1,
         1/rad, 1/m]
@@ -476,7 +479,7 @@ def place(*, body=None, anchor=None, station=None, point=None, orientation=None,
     return _given(locals())
 
 
-def anchor(*, name, frame=None, turns_with_hub=None, motion=None):
+def anchor(*, name, frame=None, turns_with_hub=None, rotor=None, motion=None):
     """A frame whose motion is prescribed, for loops to close on.
 
     name: unlike that of any other anchor
@@ -484,6 +487,7 @@ def anchor(*, name, frame=None, turns_with_hub=None, motion=None):
         hub's frame at angle 0, which moves with the body that carries the axle
     turns_with_hub: whether it turns with the hub besides, by the hub's angle about its own axis,
         which its motion tilts and moves: the rotating part of a swashplate
+    rotor: in space, name of the rotor whose hub or axle the frame is of
     motion: a table, see below
     """
     return _given(locals())

@@ -50,7 +50,8 @@ void add_carriers(const std::vector<Anchor>& anchors, const std::vector<const Lo
   });
   if (!any) return;
   for (int anchor = -1; anchor < static_cast<int>(anchors.size()); ++anchor)
-    scene.carriers.push_back({anchor, scene.groups++});
+    scene.carriers.push_back(
+        {anchor, anchor < 0 ? 0 : anchors[static_cast<std::size_t>(anchor)].rotor, scene.groups++});
 }
 
 bool is_sprung(const Loop& loop) {
@@ -66,6 +67,10 @@ int find_group(const Scene& scene, LoopPlace::Carrier carrier, int anchor) {
     if (carried.anchor == wanted) return carried.group;
   assert(false && "carriers are added before loops");
   return 0;
+}
+
+int group_of_hub(const Scene& scene, const Carrier& carrier) {
+  return carrier.rotor == 0 ? 0 : scene.hubs[static_cast<std::size_t>(carrier.rotor)].group;
 }
 
 void add_plates(const std::vector<Anchor>& anchors, Scene& scene) {

@@ -20,6 +20,9 @@ bool is_sprung(const Loop& loop);
 /// Returns the group that a place without a body is fixed to.
 int find_group(const Scene& scene, LoopPlace::Carrier carrier, int anchor);
 
+/// Returns the group of the hub of the rotor that a carrier is beside.
+int group_of_hub(const Scene& scene, const Carrier& carrier);
+
 /// Adds a plate for each anchor, through the places of the scene's loops on it.
 void add_plates(const std::vector<Anchor>& anchors, Scene& scene);
 

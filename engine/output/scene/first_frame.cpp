@@ -121,7 +121,10 @@ void place_carriers(const std::vector<Anchor>& anchors, const Placement& mount, 
     group = mount;
     if (carrier.anchor < 0) continue;
     const Anchor& anchor = anchors[static_cast<std::size_t>(carrier.anchor)];
-    group = (anchor.frame == Anchor::Frame::mount ? mount : Placement{}) * calc_first_place(anchor);
+    Placement frame_of = mount;
+    if (anchor.frame != Anchor::Frame::mount)
+      frame_of = frame.groups[static_cast<std::size_t>(group_of_hub(scene, carrier))];
+    group = frame_of * calc_first_place(anchor);
   }
 }
 
@@ -145,7 +148,6 @@ Frame make_first_frame(const Scenario& scenario, const Scene& scene) {
   } else {
     frame.hub = calc_start(scenario.space->hub);
   }
-  place_carriers(scenario.space->anchors, base, scene, frame);
   std::size_t next = 1 + scene.carriers.size();
   const auto add = [&](std::size_t i) {
     const auto root = static_cast<std::size_t>(scene.roots[i]);
@@ -153,10 +155,14 @@ Frame make_first_frame(const Scenario& scenario, const Scene& scene) {
   };
   for (std::size_t i = 0; i < trees.size(); ++i)
     if (scene.roots[i] == 0) add(i);
-  if (scene.support < 0) return frame;
+  if (scene.support < 0) {
+    place_carriers(scenario.space->anchors, base, scene, frame);
+    return frame;
+  }
   frame.groups[next++] = base;
   for (std::size_t r = 1; r < scene.hubs.size(); ++r)
     frame.groups[next++] = find_supported_hub(*scenario.space, static_cast<int>(r), base, trees);
+  place_carriers(scenario.space->anchors, base, scene, frame);
   add(static_cast<std::size_t>(scene.support));
   for (std::size_t i = 0; i < trees.size(); ++i)
     if (scene.roots[i] > scene.base_group) add(i);

@@ -58,6 +58,7 @@ struct HubFrame {
 /// A group that is no body's: the motion of the mount or of an anchor, which loops close on.
 struct Carrier {
   int anchor = -1;  ///< index of the anchor; -1: the mount
+  int rotor = 0;    ///< whose hub or axle it is beside
   int group = 0;
 };
 

@@ -125,7 +125,7 @@ class SubsystemScene {
   /// Adds the loops that end on this one, of the subsystems that are `made`.
   void add_loops_from(std::vector<SubsystemScene>& made) {
     for (const spatial::LoopEnd& end : tree_.ends) {
-      if (end.is_on_hub) continue;
+      if (end.is_on_hub || end.coupling) continue;
       const auto of = std::find_if(made.begin(), made.end(), [&end](const SubsystemScene& other) {
         return std::cmp_equal(other.number_, end.tree);
       });

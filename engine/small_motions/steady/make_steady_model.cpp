@@ -44,9 +44,16 @@ void require_hub_anchors(const spatial::Model& model) {
           "from its support, and this anchor is on both; runs have it");
 }
 
-/// Refuses loops between subsystems, which a steady model takes one by one.
+/// Refuses loops and couplings between subsystems, which a steady model takes one by one.
 void require_own_loops(const spatial::Model& model) {
-  const auto require = [](const std::vector<Loop>& loops, const std::string& key) {
+  const auto require = [](const std::vector<Loop>& loops, const std::vector<Coupling>& couplings,
+                          const std::string& key) {
+    for (std::size_t k = 0; k < couplings.size(); ++k)
+      for (const CoupledJoint& at : couplings[k].joints)
+        if (at.is_elsewhere())
+          throw InputError(key + ".coupling." + std::to_string(k + 1) +
+                           ".joints: are on several blades or subsystems, expected its own: a "
+                           "steady state takes them one by one; runs have it");
     for (std::size_t k = 0; k < loops.size(); ++k)
       if (loops[k].to.carrier == LoopPlace::Carrier::elsewhere)
         throw InputError(key + ".loop." + std::to_string(k + 1) +
@@ -54,9 +61,9 @@ void require_own_loops(const spatial::Model& model) {
                          "steady state takes them one by one; runs have it");
   };
   for (std::size_t i = 0; i < model.blades.size(); ++i)
-    require(model.blades[i].loops, "blades." + std::to_string(i + 1));
+    require(model.blades[i].loops, model.blades[i].couplings, "blades." + std::to_string(i + 1));
   for (std::size_t i = 0; i < model.subsystems.size(); ++i)
-    require(model.subsystems[i].loops, key_of_subsystem(model, i));
+    require(model.subsystems[i].loops, model.subsystems[i].couplings, key_of_subsystem(model, i));
 }
 
 /// Refuses rotors on others: what carries them turns, or is an unknown of another rotor.

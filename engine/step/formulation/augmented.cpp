@@ -124,23 +124,29 @@ void add_loops(const Subsystem<World>& model, const SubsystemData<World>& subsys
     }
 }
 
-/// Fills the rows of a loop between subsystems: those of the loop itself.
+/// Fills the rows of a loop between subsystems, or of a coupling: those of the loop itself.
 template <class World>
 void add_shared_loop(const System<World>& system, const StepData<World>& data,
                      const SharedLoop& loop, Work& work) {
   const auto own = static_cast<std::size_t>(loop.own.subsystem);
-  for (const LoopAt& at : {loop.own, loop.end}) {
+  const int first =
+      work.first_loop[own] +
+      data.subsystems[own].loops.paths[static_cast<std::size_t>(loop.own.loop)].first_row;
+  const auto add = [&](const LoopAt& at) {
     const auto i = static_cast<std::size_t>(at.subsystem), k = static_cast<std::size_t>(at.loop);
+    const LoopModel& model = system.subsystems[i].loops[k];
+    if (model.is_coupling()) {
+      subtract_coordinates(model, data.subsystems[i], at.subsystem, first, work);
+      return;
+    }
     const LoopData<World>& loops = data.subsystems[i].loops;
-    const int rows = loops.paths[k].rows;
-    const int first =
-        work.first_loop[own] +
-        data.subsystems[own].loops.paths[static_cast<std::size_t>(loop.own.loop)].first_row;
-    for (int r = 0; r < rows; ++r)
-      subtract_place(system.subsystems[i].loops[k].from,
+    for (int r = 0; r < loops.paths[k].rows; ++r)
+      subtract_place(model.from,
                      loops.states[static_cast<std::size_t>(loops.paths[k].first_row + r)].from,
                      data.subsystems[i], at.subsystem, first + r, work);
-  }
+  };
+  add(loop.own);
+  for (const LoopAt& at : loop.ends) add(at);
 }
 
 /// Fills in the compliances that the rows of bearings share.
@@ -205,7 +211,7 @@ void share_rows(const SharedLoop& loop, const StepData<World>& data, Work& work)
   const auto share = [&](const LoopAt& at) {
     std::copy(own.begin(), own.end(), rows_of(at).begin());
   };
-  share(loop.end);
+  for (const LoopAt& at : loop.ends) share(at);
   for (const LoopAt& at : loop.on_hubs) share(at);
 }
 

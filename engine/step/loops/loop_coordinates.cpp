@@ -64,7 +64,7 @@ std::vector<LoopGroup> find_loop_groups(const System<World>& system) {
   };
   for (const SharedLoop& loop : system.shared_loops) {
     const auto own = static_cast<std::size_t>(loop.own.subsystem);
-    join(own, static_cast<std::size_t>(loop.end.subsystem));
+    for (const LoopAt& at : loop.ends) join(own, static_cast<std::size_t>(at.subsystem));
     for (const LoopAt& at : loop.on_hubs) join(own, static_cast<std::size_t>(at.subsystem));
   }
   std::vector<LoopGroup> groups;

@@ -136,6 +136,11 @@ inline constexpr std::array kAnchorRows{
         "whether it turns with the hub besides, by the hub's angle about its own axis, which its "
         "motion tilts and moves: the rotating part of a swashplate")
         .within("not with `frame = \"hub\"`"),
+    by_hand("rotor", kText,
+            "in space, name of the [rotor](#rotor-several-rotors) whose hub or axle the frame is "
+            "of")
+        .from("the first")
+        .within("not with `frame = \"mount\"`"),
     by_hand("motion", kTable, "a table, see below").from("at rest at the frame's origin")};
 
 inline constexpr std::array kAnchorMotionRows{

@@ -96,6 +96,11 @@ inline constexpr std::array kCoupledJointRows{
             "name of a joint of the blade or subsystem, free or prescribed; of a support also "
             "`\"axle\"`, and `\"tail.axle\"` of a further rotor by the name `\"tail\"`")
         .required(),
+    by_hand("subsystem", kText,
+            "name of the subsystem whose joint it is, `\"support\"` among them, if not of that of "
+            "the coupling; of one coordinate at least it is"),
+    by_hand("blade", kWhole,
+            "in its place number of a blade, from 1, or `\"next\"`: the next one of the rotor"),
     by_hand("coordinate", kWhole, "number of its coordinate").from("1").within("from 1"),
     number<&CoupledJoint::ratio>(
         "ratio", Quantity::any("1, 1/rad, 1/m"),

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "models/reader/keys/tree_keys.h"
+#include "models/reader/spatial/loop_ends.h"
 #include "models/support/nearest_name.h"
 
 namespace spoke::spatial {
@@ -36,23 +38,34 @@ Fault find_coordinate_fault(const CoupledJoint& at, const CouplingEnds& ends) {
   return {};
 }
 
-Fault find_one_fault(const Coupling& coupling, const CouplingEnds& ends) {
+/// `elsewhere`: by joint, those of the other blade or subsystem that it is on; empty: not known.
+Fault find_one_fault(const Coupling& coupling, const CouplingEnds& ends,
+                     const std::vector<CouplingEnds>& elsewhere) {
   const FirstFault first;
   first.add(find_name_fault(coupling.name));
   if (coupling.joints.size() < 2)
     first.add({"joints", "has " + std::to_string(coupling.joints.size()) +
                              " of the two or more coordinates that it is to couple"});
-  std::set<std::pair<std::string, int>> before;
-  bool is_any_free = false;
+  std::set<std::tuple<int, std::string, std::string, int>> before;
+  bool is_any_own = false, is_any_free = false;
   for (std::size_t i = 0; i < coupling.joints.size() && !first.found(); ++i) {
     const CoupledJoint& at = coupling.joints[i];
     const std::string path = "joints." + std::to_string(i + 1);
-    first.add(find_coordinate_fault(at, ends).within(path));
-    if (first.found()) break;
-    if (!before.emplace(at.joint, at.coordinate).second)
+    if (!before.emplace(at.blade, at.subsystem, at.joint, at.coordinate).second)
       first.add({path + ".joint", "is the same coordinate as another one of the coupling"});
-    is_any_free |= ends.find(at.joint)->second.is_free[static_cast<std::size_t>(at.coordinate - 1)];
+    const CouplingEnds* on = &ends;
+    if (at.is_elsewhere()) {
+      is_any_free |= elsewhere.empty();  // they are not known yet
+      if (elsewhere.empty()) continue;
+      on = &elsewhere[i];
+    }
+    is_any_own |= !at.is_elsewhere();
+    first.add(find_coordinate_fault(at, *on).within(path));
+    if (first.found()) break;
+    is_any_free |= on->find(at.joint)->second.is_free[static_cast<std::size_t>(at.coordinate - 1)];
   }
+  if (!first.found() && !is_any_own)
+    first.add({"joints", "are all elsewhere, expected one of the blade or subsystem itself"});
   if (!first.found() && !is_any_free)
     first.add({"joints", "are all prescribed, expected one that is free"});
   find_range_faults("", keys::kCouplingRows, coupling, first);
@@ -93,12 +106,73 @@ Fault find_fault(const std::vector<Coupling>& couplings, const CouplingEnds& end
   std::set<std::string_view> names;
   for (std::size_t i = 0; i < couplings.size() && !first.found(); ++i) {
     const std::string path = "coupling." + std::to_string(i + 1);
-    first.add(find_one_fault(couplings[i], ends).within(path));
+    first.add(find_one_fault(couplings[i], ends, {}).within(path));
     if (!names.insert(couplings[i].name).second)
       first.add({path + ".name", "is \"" + couplings[i].name +
                                      "\" as another coupling's, expected a name of its own"});
   }
   return first.found();
+}
+
+namespace {
+
+/// Finds the blade or subsystem, by its ends, that a joint names.
+Fault find_elsewhere(const CoupledJoint& at, const Model& model, CouplingEnds& ends) {
+  if (Fault fault = find_tree_fault(at.blade, at.subsystem, model)) return fault;
+  if (at.subsystem.empty()) {
+    ends = ends_of(model.blades[static_cast<std::size_t>(at.blade) - 1]);
+    return {};
+  }
+  for (const Subsystem& subsystem : model.subsystems)
+    if (subsystem.name == at.subsystem) ends = ends_of(subsystem, model);
+  return {};
+}
+
+/// Finds a fault of couplings whose joints are on several blades or subsystems. `is_own`: whether
+/// such a joint names the owner itself.
+template <class IsOwn>
+Fault find_fault_across(const std::vector<Coupling>& couplings, const CouplingEnds& own,
+                        const Model& model, const IsOwn& is_own) {
+  for (std::size_t k = 0; k < couplings.size(); ++k) {
+    const std::string path = "coupling." + std::to_string(k + 1);
+    const std::vector<CoupledJoint>& joints = couplings[k].joints;
+    std::vector<CouplingEnds> elsewhere(joints.size());
+    bool is_across = false;
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+      if (!joints[j].is_elsewhere()) continue;
+      is_across = true;
+      const std::string at = path + ".joints." + std::to_string(j + 1);
+      if (Fault fault = find_elsewhere(joints[j], model, elsewhere[j])) return fault.within(at);
+      if (is_own(joints[j]))
+        return Fault{joints[j].subsystem.empty() ? "blade" : "subsystem",
+                     "is that of the coupling itself, expected none"}
+            .within(at);
+    }
+    if (!is_across) continue;
+    if (Fault fault = find_one_fault(couplings[k], own, elsewhere)) return fault.within(path);
+  }
+  return {};
+}
+
+}  // namespace
+
+Fault find_coupling_across_fault(const Model& model) {
+  for (std::size_t i = 0; i < model.blades.size(); ++i) {
+    const auto is_own = [i](const CoupledJoint& at) {
+      return at.subsystem.empty() && at.blade == static_cast<int>(i) + 1;
+    };
+    const Blade& blade = model.blades[i];
+    if (Fault fault = find_fault_across(blade.couplings, ends_of(blade), model, is_own))
+      return fault.within("blades." + std::to_string(i + 1));
+  }
+  for (std::size_t i = 0; i < model.subsystems.size(); ++i) {
+    const Subsystem& subsystem = model.subsystems[i];
+    const auto is_own = [&](const CoupledJoint& at) { return at.subsystem == subsystem.name; };
+    if (Fault fault =
+            find_fault_across(subsystem.couplings, ends_of(subsystem, model), model, is_own))
+      return fault.within(key_of_subsystem(model, i));
+  }
+  return {};
 }
 
 }  // namespace spoke::spatial

@@ -25,7 +25,10 @@ CouplingEnds ends_of(const Blade& blade);
 /// Returns those of a subsystem; of a support also its axles.
 CouplingEnds ends_of(const Subsystem& subsystem, const Model& model);
 
-/// Finds a fault of couplings of joints that have none.
+/// Finds a fault of couplings of joints that have none. Of joints elsewhere nothing is known yet.
 Fault find_fault(const std::vector<Coupling>& couplings, const CouplingEnds& ends);
+/// Finds the first fault of those couplings of a model that have joints on several blades or
+/// subsystems, "blades.2.coupling.1.joints.2.joint".
+Fault find_coupling_across_fault(const Model& model);
 
 }  // namespace spoke::spatial

@@ -3,6 +3,7 @@
 #include "models/reader/spatial/coupling_reader.h"
 
 #include "models/reader/keys/tree_keys.h"
+#include "models/reader/loop_reader.h"
 #include "models/reader/row_reader.h"
 #include "models/reader/spatial/body_reader.h"
 
@@ -14,6 +15,7 @@ constexpr int kMostCoordinates = 6;  // of any joint
 CoupledJoint read_coupled_joint(const TomlSection& table) {
   CoupledJoint at;
   at.joint = read_name(table, "joint");
+  read_elsewhere(table, at.blade, at.subsystem);
   if (table.has("coordinate")) at.coordinate = table.integer("coordinate", {1, kMostCoordinates});
   keys::read(table, keys::kCoupledJointRows, &at);
   return at;
@@ -39,6 +41,8 @@ void add_couplings(const std::vector<Coupling>& couplings, Json& json) {
     Json table = {{"name", coupling.name}};
     for (const CoupledJoint& at : coupling.joints) {
       Json joint = {{"joint", at.joint}, {"coordinate", at.coordinate}};
+      if (at.blade > 0) joint.set("blade", at.blade);
+      if (!at.subsystem.empty()) joint.set("subsystem", at.subsystem);
       keys::write(keys::kCoupledJointRows, &at, joint);
       table.append("joints", joint);
     }

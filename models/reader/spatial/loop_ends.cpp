@@ -15,21 +15,21 @@ namespace {
 
 bool is_elsewhere(const LoopPlace& place) { return place.carrier == LoopPlace::Carrier::elsewhere; }
 
-Fault find_blade_fault(const LoopPlace& to, const Model& model) {
+Fault find_blade_fault(int blade, const Model& model) {
   const auto last = static_cast<int>(model.blades.size());
   if (last == 0) return {"blade", "is given, but there are no blades"};
-  if (to.blade >= 1 && to.blade <= last) return {};
-  return {"blade", "is " + std::to_string(to.blade) + ", expected a whole number from 1 to " +
+  if (blade >= 1 && blade <= last) return {};
+  return {"blade", "is " + std::to_string(blade) + ", expected a whole number from 1 to " +
                        std::to_string(last) + ", or \"next\""};
 }
 
-Fault find_subsystem_fault(const LoopPlace& to, const Model& model) {
+Fault find_subsystem_fault(const std::string& subsystem, const Model& model) {
   std::vector<std::string_view> names;
-  for (const Subsystem& subsystem : model.subsystems) names.push_back(subsystem.name);
+  for (const Subsystem& own : model.subsystems) names.push_back(own.name);
   if (names.empty())
-    return {"subsystem", "is \"" + to.subsystem + "\", but there is no [[subsystem]]"};
-  if (std::find(names.begin(), names.end(), to.subsystem) == names.end())
-    return {"subsystem", describe_unknown(to.subsystem, names)};
+    return {"subsystem", "is \"" + subsystem + "\", but there is no [[subsystem]]"};
+  if (std::find(names.begin(), names.end(), subsystem) == names.end())
+    return {"subsystem", describe_unknown(subsystem, names)};
   return {};
 }
 
@@ -53,11 +53,8 @@ Fault find_point_fault(const LoopPlace& place, const LoopSurroundings& around) {
 /// Finds a fault of an end; `own`: whether that is on the blade or subsystem itself.
 template <class IsOwn>
 Fault find_end_fault(const LoopPlace& to, const Model& model, const IsOwn& is_own) {
-  if (to.blade != 0 && !to.subsystem.empty())
-    return {"blade", "given along with subsystem, expected only one of them"};
   const bool is_blade = to.subsystem.empty();
-  if (Fault fault = is_blade ? find_blade_fault(to, model) : find_subsystem_fault(to, model))
-    return fault;
+  if (Fault fault = find_tree_fault(to.blade, to.subsystem, model)) return fault;
   if (is_own(to))
     return {is_blade ? "blade" : "subsystem", "is that of the loop itself, expected none"};
   LoopSurroundings around;
@@ -95,6 +92,17 @@ void resolve_next_blades(Model& model) {
   for (std::size_t i = 0; i < blades.size(); ++i)
     for (Loop& loop : blades[i].loops)
       if (is_elsewhere(loop.to) && loop.to.blade == kNextBlade) loop.to.blade = next_of(i);
+  for (std::size_t i = 0; i < blades.size(); ++i)
+    for (Coupling& coupling : blades[i].couplings)
+      for (CoupledJoint& at : coupling.joints)
+        if (at.blade == kNextBlade) at.blade = next_of(i);
+}
+
+Fault find_tree_fault(int blade, const std::string& subsystem, const Model& model) {
+  if (blade != 0 && !subsystem.empty())
+    return {"blade", "given along with subsystem, expected only one of them"};
+  return subsystem.empty() ? find_blade_fault(blade, model)
+                           : find_subsystem_fault(subsystem, model);
 }
 
 Fault find_loop_end_fault(const Model& model) {

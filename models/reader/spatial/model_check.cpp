@@ -50,7 +50,6 @@ void check_support(const Model& model) {
 /// Checks the rotors besides the first, and the numbers of rotors that carry something. The support
 /// is checked.
 void check_rotors(const Model& model) {
-  require(find_rotors_fault(model));
   const Count numbers{0, count_rotors(model) - 1};
   const auto check_numbers = [&](const std::string& key, const auto& items) {
     check_each(key, items, [&](const auto& item) {
@@ -62,6 +61,8 @@ void check_rotors(const Model& model) {
   check_numbers("blades", model.blades);
   check_numbers("subsystem", model.subsystems);
   check_numbers("hub_load", model.hub_loads);
+  check_numbers("anchor", model.anchors);
+  require(find_rotors_fault(model));
 }
 
 /// Checks a subsystem, whose name is to be unlike those before it, and its loops.
@@ -122,6 +123,7 @@ void check_model(const Model& model) {
   for (std::size_t i = 0; i < model.subsystems.size(); ++i)
     require(find_tree_fault(model.subsystems[i], model, names).within(key_of_subsystem(model, i)));
   require(find_loop_end_fault(model));
+  require(find_coupling_across_fault(model));
   if (model.blades.empty() && model.subsystems.empty() && !moves_alone(model.hub))
     require({"blades", "there are none, and no subsystem; expected one or more"});
   require({"blades", find_size_fault(model)});

@@ -246,7 +246,11 @@ void add_model(const Model& model, Json& json) {
     add_rotor_of(subsystem.rotor, model, made);
     json.append("subsystem", std::move(made));
   }
-  add_anchors(model.anchors, false, json);
+  for (const Anchor& anchor : model.anchors) {
+    Json made = spoke::to_json(anchor, false);
+    if (anchor.frame != Anchor::Frame::mount) add_rotor_of(anchor.rotor, model, made);
+    json.append("anchor", std::move(made));
+  }
   json.set("gravity", {{"acceleration", to_json(model.gravity)}, {"ramp", model.gravity_ramp}});
   json.set("damping", damping_to_json(model.damping));
   add_list("load", model.loads, json);

@@ -15,6 +15,7 @@
 #include "models/reader/spatial/air_reader.h"
 #include "models/reader/spatial/body_reader.h"
 #include "models/reader/spatial/control_reader.h"
+#include "models/reader/spatial/coupling_faults.h"
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/loop_ends.h"
 #include "models/reader/spatial/solid_reader.h"
@@ -234,7 +235,9 @@ Model read_model(const TomlSection& root, const std::string& folder) {
   model.hub = read_hub(hub);
   read_support_base(root, hub, model);
   read_other_rotors(rotors, model);
-  model.anchors = read_anchors(root, find_mount_fault(model), false);
+  model.anchors = read_anchors(root, find_mount_fault(model), [&model](const TomlSection& section) {
+    return read_rotor_of(section, model);
+  });
   if (const Fault fault = find_axle_frame_fault(model)) root.fail_at(fault.path, fault.text);
   if (rotors.empty()) model.blades = read_blades(root, 0, model);
   for (std::size_t r = 0; r < rotors.size(); ++r)
@@ -243,6 +246,7 @@ Model read_model(const TomlSection& root, const std::string& folder) {
   resolve_next_blades(model);
   read_trees(root, rotors, folder, model);
   if (const Fault fault = find_loop_end_fault(model)) fail_at_end(root, rotors, fault);
+  if (const Fault fault = find_coupling_across_fault(model)) fail_at_end(root, rotors, fault);
   if (model.blades.empty() && model.subsystems.empty() && !moves_alone(model.hub))
     root.fail("blade", "is missing, expected [blade], [[blades]] or [[subsystem]]");
   const std::string size_fault = find_size_fault(model);

@@ -72,8 +72,8 @@ void put_in_wind(Scenario& scenario) {
     }
 }
 
-/// Ties each blade to the next one by a damper and a spring, and the first one across the axle to
-/// what the rotor stands on.
+/// Ties each blade to the next one by a damper and a spring, couples their hinges, and ties the
+/// first one across the axle to what the rotor stands on.
 void tie_blades(Scenario& scenario) {
   std::vector<spatial::Blade>& blades = scenario.space->blades;
   for (std::size_t i = 0; i < blades.size(); ++i) {
@@ -87,6 +87,11 @@ void tie_blades(Scenario& scenario) {
     damper.stiffness = {2000.0};
     damper.damping = {300.0};
     blades[i].loops = {damper};
+    Coupling linkage{"linkage", {{blades[i].joints[0].joint.name, 1, 1.0}}, 200.0, 5.0};
+    linkage.joints.push_back(linkage.joints[0]);
+    linkage.joints[1].ratio = -1.0;
+    linkage.joints[1].blade = damper.to.blade;
+    blades[i].couplings = {linkage};
   }
   Loop spring;
   spring.name = "spring";

@@ -82,6 +82,14 @@ struct Arm {
            "', point=[0.1,0.3,0] }, to={ body='hub', point=[" + number(at.x()) + ',' +
            number(at.y()) + ',' + number(at.z()) + "] } }";
   }
+  /// A coupling of the flap's hinge with the next one's, and with a coordinate of that arm's own.
+  std::string gear(const std::string& rest) const {
+    const Arm next{(index + 1) % kArms, is_alone};
+    const std::string where = is_alone ? "subsystem='arm" + std::to_string(next.index) + "', " : "";
+    return "{ name='" + name("gear") + "', joints=[ { joint='" + name("turn") + "', ratio=1 }, { " +
+           where + "joint='" + next.name("turn") + "', ratio=-0.7 }, { " + where + "joint='" +
+           next.name("hinge") + "', coordinate=2, ratio=0.4 } ]" + rest + " }";
+  }
   /// A closure to the next arm.
   std::string tie(const std::string& kind) const {
     const Arm next{(index + 1) % kArms, is_alone};
@@ -92,24 +100,28 @@ struct Arm {
   }
 };
 
-/// The arms, each a subsystem or all of them one, with ties from the first `ties` ones.
+/// The arms, each a subsystem or all of them one, with ties from the first `ties` ones: closures,
+/// or couplings of what is behind "coupling".
 std::string make_machine(const std::string& hub, bool is_apart, const std::string& tie, int ties) {
   std::string text = "world='space'\n" + hub + kWeight;
-  std::string bodies, joints, loops;
+  std::string bodies, joints, loops, couplings;
+  const bool is_coupled = tie.starts_with("coupling");
   for (int i = 0; i < kArms; ++i) {
     const Arm arm{i, is_apart};
     const std::string comma = is_apart || i == 0 ? "" : ", ";
-    if (is_apart) bodies = joints = loops = "";
+    if (is_apart) bodies = joints = loops = couplings = "";
     bodies += comma + arm.bodies();
     joints += comma + arm.joints();
-    loops += comma + arm.rod() + (i < ties ? ", " + arm.tie(tie) : "");
+    loops += comma + arm.rod() + (i < ties && !is_coupled ? ", " + arm.tie(tie) : "");
+    if (i < ties && is_coupled) couplings += comma + arm.gear(tie.substr(8));
     if (is_apart)
       text += "[[subsystem]]\nname='arm" + std::to_string(i) + "'\nazimuth=" + number(arm.angle()) +
-              "\nbody=[" + bodies + "]\njoint=[" + joints + "]\nloop=[" + loops + "]\n";
+              "\nbody=[" + bodies + "]\njoint=[" + joints + "]\nloop=[" + loops + "]\n" +
+              (couplings.empty() ? "" : "coupling=[" + couplings + "]\n");
   }
   if (!is_apart)
     text += "[[subsystem]]\nname='all'\nbody=[" + bodies + "]\njoint=[" + joints + "]\nloop=[" +
-            loops + "]\n";
+            loops + "]\n" + (couplings.empty() ? "" : "coupling=[" + couplings + "]\n");
   return text + kOfASecond;
 }
 
@@ -159,17 +171,21 @@ std::string make_two_rotors(bool is_lossless) {
 
 }  // namespace
 
-TEST_CASE("loops between subsystems: in all formulations the motion of the same as one subsystem") {
+TEST_CASE(
+    "loops and couplings between subsystems: in all formulations the motion of the same as one "
+    "subsystem") {
   const std::vector<std::string> ties{"kind='distance'",
                                       "kind='distance', stiffness=3e4, damping=400",
                                       "kind='bearing', axis=[0,0.2,1], "
-                                      "stiffness=[[3e3,800],[-500,2e3]], damping=[[30,4],[-4,20]]"};
+                                      "stiffness=[[3e3,800],[-500,2e3]], damping=[[30,4],[-4,20]]",
+                                      "coupling", "coupling, stiffness=80, damping=2"};
   for (const HubCase& hub : kHubs)
     for (const std::string& tie : ties) {
       CAPTURE(hub.name);
       CAPTURE(tie);
       // A ring of rods is another machine; of others one tie may be missing.
-      const int count = tie == ties[0] ? kArms - 2 : tie == ties[1] ? kArms - 1 : kArms;
+      const bool is_rigid = tie == ties[0] || tie == "coupling";
+      const int count = is_rigid ? kArms - 2 : tie == ties[1] ? kArms - 1 : kArms;
       for (const Method& method : {Method(make_generalized_alpha(0.8, 1e-3)), Method(Rk4{1e-3})}) {
         const auto apart =
             check_formulations(make(make_machine(hub.text, true, tie, count)), method, 30, 1e-10);
@@ -269,7 +285,8 @@ TEST_CASE("what flies with loops between rotors keeps momentum, and energy by th
 
 TEST_CASE("loops between subsystems: equal bits on all executors, and kept declarations") {
   for (const std::string& text :
-       {make_machine(kHubs[0].text, true, "kind='distance'", 2), make_two_rotors(false)}) {
+       {make_machine(kHubs[0].text, true, "kind='distance'", 2),
+        make_machine(kHubs[3].text, true, "coupling", 2), make_two_rotors(false)}) {
     const System<Space> system = make(text);
     check_equal_bits(system, make_generalized_alpha(0.8, 1e-3), 20);
     check_equal_bits(system, Rk4{1e-3}, 10);

@@ -5,7 +5,9 @@
 #include <string>
 
 #include "models/scenario.h"
+#include "models/system/spatial_system.h"
 #include "tests/contains.h"
+#include "tests/models/inline_toml.h"
 #include "tests/models/reader/spatial_texts.h"
 
 using namespace spoke;
@@ -130,4 +132,58 @@ TEST_CASE(
                                    "duration = 1.0", "duration = 1.0\nspectral_radius = 1.0");
   CHECK(contains(message_of([&rigid] { parse_scenario(rigid, "f"); }),
                  "expected at most 0.95 with rigid couplings"));
+}
+
+namespace {
+
+/// A second subsystem, whose coupling has a joint of the first one.
+const std::string kAcross = [] {
+  std::string text = kGears;
+  return text.insert(text.find("[[sensor]]"), R"([[subsystem]]
+name = "shaft"
+body = [ { name = "s", kind = "rigid", mass = 1, inertia = 1 } ]
+joint = [ { name = "js", parent = "hub", child = "s", kind = "revolute", axis = [0, 0, 1] } ]
+coupling = [ { name = "mesh", joints = [ { joint = "js", ratio = 1 },
+  { subsystem = "gears", joint = "jb", ratio = -3 } ] } ]
+)");
+}();
+
+}  // namespace
+
+TEST_CASE("a coupling may have joints of other subsystems") {
+  const Scenario scenario = parse_scenario(kAcross, "f");
+  const Coupling& mesh = scenario.space->subsystems[1].couplings.at(0);
+  CHECK(mesh.joints[0].subsystem.empty());
+  CHECK(mesh.joints[1].subsystem == "gears");
+  const System<Space> system = make_system(*scenario.space);
+  REQUIRE(system.shared_loops.size() == 1);
+  CHECK(system.shared_loops[0].own.subsystem == 1);
+  REQUIRE(system.shared_loops[0].ends.size() == 1);
+  const LoopModel& share = system.subsystems[0].loops.at(1);
+  CHECK(share.is_share);
+  CHECK(share.coupled.at(0).ratio == -3.0);
+  CHECK(share.name == "shaft / mesh");
+  const std::string json = scenario.to_json();
+  CHECK(parse_scenario(document_of(json), scenario.name).to_json() == json);
+}
+
+TEST_CASE("couplings with joints of other subsystems that cannot be are refused") {
+  check_edits(
+      kAcross,
+      {
+          {"subsystem = \"gears\", joint", "subsystem = \"gear\", joint",
+           "f.toml:32:17: subsystem.2.coupling.1.joints.2.subsystem: is \"gear\", did you mean "
+           "\"gears\"?"},
+          {"subsystem = \"gears\", joint", "subsystem = \"shaft\", joint",
+           "f.toml:32:17: subsystem.2.coupling.1.joints.2.subsystem: is that of the coupling "
+           "itself, expected none"},
+          {"subsystem = \"gears\", joint", "blade = 1, joint",
+           "f.toml:32:13: subsystem.2.coupling.1.joints.2.blade: is given, but there are no "
+           "blades"},
+          {"joint = \"jb\", ratio = -3", "joint = \"jd\", ratio = -3",
+           "f.toml:32:34: subsystem.2.coupling.1.joints.2.joint: is \"jd\", did you mean \"ja\"?"},
+          {"{ joint = \"js\", ratio = 1 }", "{ subsystem = \"gears\", joint = \"ja\", ratio = 1 }",
+           "f.toml:31:40: subsystem.2.coupling.1.joints: are all elsewhere, expected one of the "
+           "blade or subsystem itself"},
+      });
 }

@@ -89,7 +89,7 @@ TEST_CASE("an end elsewhere makes a node there, and a share of the loop") {
   const System<Space> system = make_system(*scenario.space, trees);
   REQUIRE(system.shared_loops.size() == 3);
   CHECK(system.shared_loops[0].own.subsystem == 0);
-  CHECK(system.shared_loops[0].end.subsystem == 1);
+  CHECK(system.shared_loops[0].ends.front().subsystem == 1);
   CHECK(system.subsystems[1].loops.at(1).is_share);
   CHECK(system.subsystems[1].loops.at(1).name == "blade 1 / tie");
 }

@@ -151,8 +151,15 @@ TEST_CASE("rotors that cannot be are refused") {
            "[[subsystem.loop]]\nname = \"link\"\nkind = \"distance\"\nfrom = { body = \"one\" }\n"
            "to = { anchor = \"plate\" }\n[[anchor]]\nname = \"plate\"\nframe = "
            "\"hub\"\n[[hub_load]]",
-           "f.toml:57:17: subsystem.1.loop.1.to.anchor: is \"plate\", an anchor of the first "
-           "rotor; expected \"hub\" or a body"},
+           "f.toml:57:17: subsystem.1.loop.1.to.anchor: is \"plate\", an anchor of another "
+           "rotor; expected one of its own, \"hub\" or a body"},
+          {"[[hub_load]]",
+           "[[anchor]]\nname = \"plate\"\nframe = \"hub\"\nrotor = \"tale\"\n[[hub_load]]",
+           "f.toml:56:9: anchor.1.rotor: is \"tale\", did you mean \"tail\"?"},
+          {"[[hub_load]]",
+           "[[anchor]]\nname = \"plate\"\nframe = \"axle\"\nrotor = \"tail\"\n[[hub_load]]",
+           "f.toml:55:9: anchor.1.frame: is \"axle\", but no drive prescribes the hub's angle, so "
+           "that its forces would turn the hub; expected a drive that does, or \"hub\""},
           {"name = \"root\"", "name = \"tail.axle\"",
            "f.toml:12:8: support.joint.1.name: is \"tail.axle\", which is the axle of a rotor; "
            "expected another name"},

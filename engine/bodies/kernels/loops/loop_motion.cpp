@@ -67,13 +67,14 @@ struct SharedPlaces {
 template <class World>
 SharedPlaces find_places(const System<World>& system, const SharedLoop& loop,
                          const StepData<World>& data) {
+  const LoopAt& at_end = loop.ends.front();
   const auto own = static_cast<std::size_t>(loop.own.subsystem);
-  const auto end = static_cast<std::size_t>(loop.end.subsystem);
+  const auto end = static_cast<std::size_t>(at_end.subsystem);
   const auto place_of = [&](std::size_t i, int k) {  // on bodies, which time alone does not move
     return find_place(system, system.subsystems[i].loops[static_cast<std::size_t>(k)].from, 0.0,
                       data.subsystems[i]);
   };
-  SharedPlaces places{place_of(own, loop.own.loop), place_of(end, loop.end.loop), {}};
+  SharedPlaces places{place_of(own, loop.own.loop), place_of(end, at_end.loop), {}};
   if (system.subsystems[own].rotor == system.subsystems[end].rotor) return places;
   const space::Pose here = pose_of_hub(system, own, data), there = pose_of_hub(system, end, data);
   const space::Rotation R = here.R.inverse() * there.R;
@@ -198,34 +199,47 @@ void set_bearing(const BearingModel& bearing, const Place& from, const Place& to
 
 // Couplings of joints, of which the plane has none.
 
-void calc_coupling(const LoopModel&, std::size_t, const ClosureGains&, SubsystemData<Plane>&) {}
+/// The sum c q over coordinates of a coupling.
+struct CoupledMotion {
+  RowMotion row{space::Twist::Zero(), 0.0, 0.0, 0.0};
+  double given_rate = 0.0;  ///< of driven coordinates
+  double known = 0.0;       ///< accelerations of these
+  double kinematic = 0.0;   ///< of free ones by the last iterate
+};
 
-/// Its row asks for the relative acceleration sum c q'' of free coordinates.
-void calc_coupling(const LoopModel& coupling, std::size_t row, const ClosureGains& gains,
-                   SubsystemData<Space>& data) {
-  LoopRowState<Space>& state = data.loops.states[row];
-  state.from.setZero();
-  state.to.setZero();
-  state.hub.setZero();
-  RowMotion motion{space::Twist::Zero(), -coupling.rows[0].rest, 0.0, 0.0};
-  double known = 0.0, kinematic = 0.0;
-  state.given_rate = 0.0;
+void add_coordinates(const LoopModel&, const ClosureGains&, const SubsystemData<Plane>&,
+                     CoupledMotion&) {}
+void add_coordinates(const LoopModel& coupling, const ClosureGains& gains,
+                     const SubsystemData<Space>& data, CoupledMotion& sum) {
+  sum.row.opening -= coupling.rows[0].rest;
   for (const CoupledCoordinate& at : coupling.coupled) {
     const BodyData<Space>& body = data.bodies[static_cast<std::size_t>(at.body)];
     if (at.is_driven) {
       const space::PrescribedMotion& driven = body.joint.driven[at.component];
-      motion.opening += at.ratio * driven.value;
-      state.given_rate += at.ratio * driven.rate;
-      known += at.ratio * driven.acceleration;
+      sum.row.opening += at.ratio * driven.value;
+      sum.given_rate += at.ratio * driven.rate;
+      sum.known += at.ratio * driven.acceleration;
       continue;
     }
     const CoordinateBlock& coordinates = body.joint.coordinates;
-    motion.opening += at.ratio * coordinates.q[at.component];
-    motion.rate += at.ratio * coordinates.v[at.component];
-    if (gains.position > 0.0) kinematic += at.ratio * coordinates.a[at.component];
+    sum.row.opening += at.ratio * coordinates.q[at.component];
+    sum.row.rate += at.ratio * coordinates.v[at.component];
+    if (gains.position > 0.0) sum.kinematic += at.ratio * coordinates.a[at.component];
   }
-  motion.rate += state.given_rate;
-  set_target(coupling.rows[0], data.loops.use[row], motion, gains, known, kinematic, state);
+}
+
+/// Lets the row of a coupling ask for the relative acceleration sum c q'' of free coordinates.
+template <class World>
+void set_coupling(const LoopModel& coupling, std::size_t row, const ClosureGains& gains,
+                  CoupledMotion sum, SubsystemData<World>& data) {
+  LoopRowState<World>& state = data.loops.states[row];
+  state.from.setZero();
+  state.to.setZero();
+  state.hub.setZero();
+  state.given_rate = sum.given_rate;
+  sum.row.rate += sum.given_rate;
+  set_target(coupling.rows[0], data.loops.use[row], sum.row, gains, sum.known, sum.kinematic,
+             state);
 }
 
 }  // namespace
@@ -266,7 +280,9 @@ void calc_loop_motion(const System<World>& system, std::size_t i, double t,
     const LoopModel& loop = subsystem.loops[k];
     if (loop.is_shared()) continue;  // see calc_shared_motion()
     if (loop.is_coupling()) {
-      calc_coupling(loop, static_cast<std::size_t>(data.loops.paths[k].first_row), gains, data);
+      CoupledMotion sum;
+      add_coordinates(loop, gains, data, sum);
+      set_coupling(loop, static_cast<std::size_t>(data.loops.paths[k].first_row), gains, sum, data);
       continue;
     }
     const Place from = find_place(system, loop.from, t, data);
@@ -312,6 +328,12 @@ void clear_share(LoopRowState<World>& row) {
   row.shared_compliance = row.loss = 0.0;
 }
 
+template <class World>
+const LoopModel& model_of(const System<World>& system, const LoopAt& at) {
+  return system.subsystems[static_cast<std::size_t>(at.subsystem)]
+      .loops[static_cast<std::size_t>(at.loop)];
+}
+
 /// Returns the row of a loop, or of a share, that is its first.
 template <class World>
 std::size_t first_row_of(const LoopAt& at, const StepData<World>& table) {
@@ -331,18 +353,39 @@ void clear_on_hub(const SharedLoop::OnHub& at, std::size_t rows, StepData<World>
   }
 }
 
+/// Sets the row of a coupling between subsystems, and those of its shares.
+template <class World>
+void calc_shared_coupling(const System<World>& system, const SharedLoop& shared,
+                          const ClosureGains& gains, StepData<World>& table) {
+  CoupledMotion sum;
+  const auto add = [&](const LoopAt& at) {
+    SubsystemData<World>& data = table.subsystems[static_cast<std::size_t>(at.subsystem)];
+    add_coordinates(model_of(system, at), gains, data, sum);
+    LoopRowState<World>& state = data.loops.states[first_row_of(at, table)];
+    clear_share(state);
+    state.from.setZero();
+  };
+  add(shared.own);
+  for (const LoopAt& at : shared.ends) add(at);
+  set_coupling(model_of(system, shared.own), first_row_of(shared.own, table), gains, sum,
+               table.subsystems[static_cast<std::size_t>(shared.own.subsystem)]);
+}
+
 }  // namespace
 
 template <class World>
 void calc_shared_loop(const System<World>& system, const SharedLoop& shared,
                       const ClosureGains& gains, StepData<World>& table) noexcept {
+  const LoopModel& loop = model_of(system, shared.own);
+  for (const SharedLoop::OnHub& at : shared.on_hubs) clear_on_hub(at, loop.rows.size(), table);
+  if (loop.is_coupling()) {
+    calc_shared_coupling(system, shared, gains, table);
+    return;
+  }
+  const LoopAt& at_end = shared.ends.front();
+  const LoopModel& share = model_of(system, at_end);
   SubsystemData<World>& own = table.subsystems[static_cast<std::size_t>(shared.own.subsystem)];
-  SubsystemData<World>& end = table.subsystems[static_cast<std::size_t>(shared.end.subsystem)];
-  const auto loop_of = [&system](const LoopAt& at) -> const LoopModel& {
-    return system.subsystems[static_cast<std::size_t>(at.subsystem)]
-        .loops[static_cast<std::size_t>(at.loop)];
-  };
-  const LoopModel &loop = loop_of(shared.own), &share = loop_of(shared.end);
+  SubsystemData<World>& end = table.subsystems[static_cast<std::size_t>(at_end.subsystem)];
   const auto [from, to, to_own] = find_places(system, shared, table);
   TwistOf<World> of_from = TwistOf<World>::Zero(), of_to = of_from;  // by the last iterate
   if (gains.position > 0.0) {
@@ -351,8 +394,7 @@ void calc_shared_loop(const System<World>& system, const SharedLoop& shared,
   }
   const std::size_t first = first_row_of(shared.own, table);
   LoopRowState<World>* const rows = &own.loops.states[first];
-  LoopRowState<World>* const shares = &end.loops.states[first_row_of(shared.end, table)];
-  for (const SharedLoop::OnHub& at : shared.on_hubs) clear_on_hub(at, loop.rows.size(), table);
+  LoopRowState<World>* const shares = &end.loops.states[first_row_of(at_end, table)];
   for (std::size_t r = 0; r < loop.rows.size(); ++r) {
     clear_share(rows[r]);
     clear_share(shares[r]);
@@ -385,6 +427,8 @@ SharedMotionParts parts_of_shared_motion(bool has_implicit, const StepData<World
     graph::add_to(parts.inputs, own.rotations, own.twists);
     if constexpr (!tree::kHasJointCoordinates<World>)
       graph::add_to(parts.inputs, own.all(&BodyParts::coordinates));
+    for (const int j : data.subsystems[static_cast<std::size_t>(i)].loops.coupled)
+      parts.inputs.push_back(own.bodies[static_cast<std::size_t>(j)].coordinates);
     if (has_implicit) graph::add_to(parts.inputs, own.all(&BodyParts::accelerations));
     parts.outputs.push_back(own.loops.motion);
   }

@@ -19,7 +19,7 @@ const LoopPath& path_of(const auto& data, const LoopAt& at) {
 template <class Visit>
 void for_shares(const SharedLoop& loop, Visit&& visit) {
   visit(loop.own);
-  visit(loop.end);
+  for (const LoopAt& at : loop.ends) visit(at);
   for (const LoopAt& at : loop.on_hubs) visit(at);
 }
 

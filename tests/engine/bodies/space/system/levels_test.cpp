@@ -29,6 +29,7 @@ struct LevelsCase {
   std::string loops{};         ///< closures of the innermost body, whose `to` ends with TO(...)
   std::string damping{};       ///< of hinges
   std::string drive = "free";  ///< of the middle hub
+  std::string couplings{};     ///< of the innermost hinge, likewise
 };
 
 const std::string kStage =
@@ -90,7 +91,10 @@ const std::string kOnTwig = "body='twig', offset=[0.3,0,0], orientation=[0.5,0,0
 /// Four levels: the support; an arm and a boom on the hub "main"; a twig on the hub "middle" of the
 /// boom; a leaf on the hub "top" of the twig, which is fixed to it.
 std::string make_levels(const LevelsCase& of, const std::string& base, const std::string& weight) {
-  const std::string loops = replace(replace(of.loops, "TO(", "subsystem='"), ")", "', ");
+  const auto name_ends = [](const std::string& text) {
+    return replace(replace(text, "TO(", "subsystem='"), ")", "', ");
+  };
+  const std::string loops = name_ends(of.loops), couplings = name_ends(of.couplings);
   return "world='space'\n" + of.support + " ]\njoint=[ " + bush(base) + " ]\n" +
          hub("main", "kind='free', initial_speed=4", kOnStage) +
          hub("middle", "kind='" + of.drive + "'" + (of.drive == "free" ? ", initial_speed=-6" : ""),
@@ -106,15 +110,18 @@ std::string make_levels(const LevelsCase& of, const std::string& base, const std
          " ]\njoint=[ " + hinge("hub", "twig", "kind='revolute', axis=[0,1,0]" + of.damping) +
          " ]\n[[subsystem]]\nname='leaf'\nrotor='top'\nbody=[ " + rigid("leaf", 0.4) +
          " ]\njoint=[ " +
-         hinge("hub", "leaf", "kind='revolute', axis=[0,0,1], initial=0.1" + of.damping) + " ]\n" +
-         (loops.empty() ? "" : "loop=[ " + loops + " ]\n") + finish(weight, "leaf");
+         hinge("hub", "leaf",
+               "kind='revolute', axis=[0,0,1], initial=0.1, initial_speed=1.2" + of.damping) +
+         " ]\n" + (loops.empty() ? "" : "loop=[ " + loops + " ]\n") +
+         (couplings.empty() ? "" : "coupling=[ " + couplings + " ]\n") + finish(weight, "leaf");
 }
 
 /// The same machine as one tree, that of the support, whose rotor is a body of its own.
 std::string make_one(const LevelsCase& of, const std::string& base, const std::string& weight) {
-  std::string loops = of.loops;
+  std::string loops = of.loops, couplings = replace(of.couplings, ".axle", "axle");
   for (const char* name : {"boom", "arm", "twig", "support"})
-    loops = replace(loops, "TO(" + std::string(name) + ")", "");
+    for (std::string* text : {&loops, &couplings})
+      *text = replace(*text, "TO(" + std::string(name) + ")", "");
   const auto hub_body = [](const std::string& name) {
     return "{ name='" + name + "hub', kind='rigid', mass=0.5, center=[0.02,0,0], inertia=0.3 }";
   };
@@ -136,8 +143,10 @@ std::string make_one(const LevelsCase& of, const std::string& base, const std::s
               kOnBoom) +
          ", " + hinge("middlehub", "twig", "kind='revolute', axis=[0,1,0]" + of.damping) + ", " +
          axle("top", "kind='fixed'", kOnTwig) + ", " +
-         hinge("tophub", "leaf", "kind='revolute', axis=[0,0,1], initial=0.1" + of.damping) +
+         hinge("tophub", "leaf",
+               "kind='revolute', axis=[0,0,1], initial=0.1, initial_speed=1.2" + of.damping) +
          " ]\n" + (loops.empty() ? "" : "loop=[ " + loops + " ]\n") +
+         (couplings.empty() ? "" : "coupling=[ " + couplings + " ]\n") +
          replace(
              finish(weight, "support"), "[[hub_load]]\nrotor='top'\nforce=[0,0.3,0]\nposition",
              "[[load]]\nsubsystem='support'\nbody='tophub'\nframe='body'\nforce=[0,0.3,0]\npoint");
@@ -162,10 +171,15 @@ std::vector<LevelsCase> list_cases() {
       " TO(twig)body='twig', point=[0.1,0.2,0] }, kind='distance', stiffness=60 }, { name='u',"
       " from={ body='leaf', point=[0,0.1,0] }, to={ TO(support)body='stage', point=[0,0,0.3] },"
       " kind='distance', stiffness=40, damping=2 }";
+  const std::string gear =
+      "{ name='gear', joints=[ { joint='leaf', ratio=1 }, { TO(arm)joint='arm', coordinate=2,"
+      " ratio=0.5 }, { TO(boom)joint='middle.axle', ratio=0.2 } ]";
   return {{.support = kOnBush, .damping = ", damping=0.5"},
           {.support = kFlying, .damping = ", damping=0.5", .drive = "fixed"},
           {.support = kOnBush, .loops = rod},
-          {.support = kFlying, .loops = springs + ", " + rod}};
+          {.support = kFlying, .loops = springs + ", " + rod},
+          {.support = kFlying, .couplings = gear + " }"},
+          {.support = kOnBush, .loops = rod, .couplings = gear + ", stiffness=50, damping=1 }"}};
 }
 
 std::string base_of(const LevelsCase& of) { return of.support == kFlying ? "fuselage" : "ground"; }

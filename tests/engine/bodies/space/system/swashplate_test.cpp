@@ -57,6 +57,32 @@ void put_on_block(Scenario& scenario) {
   for (Anchor& anchor : model.anchors) anchor.frame = Anchor::Frame::axle;
 }
 
+/// Puts another hub before that of a model on a block, which stands still. `on_it`: whether that
+/// one carries the rotor, rather than the block.
+void put_behind_another(bool on_it, spatial::Model& model) {
+  spatial::Rotor& lifter = model.rotors.emplace_back();
+  lifter.hub = model.hub;
+  lifter.hub.name = "lifter";
+  lifter.axle = model.support->axle;
+  model.hub = {};
+  model.hub.name = "plain";
+  model.hub.mass = 2.0;
+  model.hub.drive = FixedDrive{};
+  for (spatial::Blade& blade : model.blades) blade.rotor = 1;
+  for (spatial::Subsystem& subsystem : model.subsystems)
+    if (!is_support(model, subsystem)) subsystem.rotor = 1;
+  for (spatial::HubLoad& load : model.hub_loads) load.rotor = 1;
+  for (Anchor& anchor : model.anchors) anchor.rotor = 1;
+  if (!on_it) return;
+  spatial::Subsystem post;
+  post.name = "post";
+  post.bodies.push_back(
+      {"post", spatial::RigidBody{5.0, spatial::Vector::Zero(), spatial::Tensor::Identity()}});
+  post.joints.emplace_back().child = "post";
+  model.subsystems.insert(model.subsystems.begin(), post);
+  lifter.axle.subsystem = lifter.axle.body = "post";
+}
+
 void check_same_sensors(const Scenario& held, const Scenario& supported) {
   Simulation a(held, kSerialRun), b(supported, kSerialRun);
   a.run_until(held.integration.duration);
@@ -114,6 +140,31 @@ TEST_CASE("a swashplate on a fixed support is one on the mount") {
   Scenario supported = held;
   put_on_block(supported);
   check_same_sensors(held, supported);
+}
+
+TEST_CASE("a swashplate of a further rotor is one of the first, wherever the rotor stands") {
+  Scenario first = linked_helicopter();
+  put_on_block(first);
+  for (const bool on_it : {false, true}) {
+    Scenario further = first;
+    put_behind_another(on_it, *further.space);
+    Simulation a(first, kSerialRun), b(further, kSerialRun);
+    a.run_until(first.integration.duration);
+    b.run_until(first.integration.duration);
+    int compared = 0;
+    for (const std::string& name : a.sensor_names()) {
+      if (!name.starts_with("blade")) continue;
+      CAPTURE(name);
+      CHECK(std::abs(b.sensor(name) - a.sensor(name)) < 1e-9 * (1.0 + std::abs(a.sensor(name))));
+      ++compared;
+    }
+    CHECK(compared > 20);
+    CHECK(b.sensor("lifter.hub.torque") == doctest::Approx(a.sensor("hub.torque")).epsilon(1e-9));
+    const MarkerMotion plate = a.anchor_frame(0), same = b.anchor_frame(0);
+    CHECK((plate.position - same.position).norm() < 1e-12);
+    CHECK((plate.rotation - same.rotation).norm() < 1e-12);
+    CHECK((plate.velocity - same.velocity).norm() < 1e-10);
+  }
 }
 
 TEST_CASE("a swashplate on a support that the mount moves is one on that mount") {
