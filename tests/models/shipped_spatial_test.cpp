@@ -20,12 +20,13 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-const char* const kNames[] = {
-    "andrews_squeezer", "articulated_rotor", "bricard",          "drone_rotor",
-    "four_bar",         "ground_resonance",  "heavy_top",        "helicopter_on_gear",
-    "helicopter_rotor", "nrel_5mw_rotor",    "nrel_5mw_turbine", "quadcopter",
-    "satellite_booms",  "solid_blade_rotor", "solid_bracket",    "spatial_wu_haug",
-    "tree_of_bodies",   "vehicle",           "whirl_rotor",      "wu_haug_solid"};
+const char* const kNames[] = {"andrews_squeezer", "articulated_rotor", "bricard",
+                              "drone_rotor",      "fairground_ride",   "four_bar",
+                              "ground_resonance", "heavy_top",         "helicopter_on_gear",
+                              "helicopter_rotor", "nrel_5mw_rotor",    "nrel_5mw_turbine",
+                              "quadcopter",       "satellite_booms",   "solid_blade_rotor",
+                              "solid_bracket",    "spatial_wu_haug",   "tree_of_bodies",
+                              "vehicle",          "whirl_rotor",       "wu_haug_solid"};
 
 /// Checks the keys of all tables within.
 void check_documented(const Json& json, const std::string& documentation) {

@@ -60,6 +60,7 @@ std::vector<double> run_in(Scenario scenario, int parts) {
 const std::map<std::string_view, std::string_view> kMoving{
     {"andrews_squeezer", "its motor leaves it no rest"},
     {"articulated_rotor", "blades pitch by their azimuth"},
+    {"fairground_ride", "a steady state has no rotor on what a rotor carries"},
     {"ground_resonance", "a push on the hub"},
     {"helicopter_on_gear", "blades pitch by their azimuth"},
     {"helicopter_on_gear, blades tied", "blades pitch by their azimuth"},

@@ -26,6 +26,7 @@ namespace {
 const std::map<std::string_view, std::string_view> kWithoutModes{
     {"andrews_squeezer", "its motor leaves it no rest"},
     {"epicyclic_gear", "nothing in it is sprung: its root is zero"},
+    {"fairground_ride", "a steady state has no rotor on what a rotor carries"},
     {"helicopter_on_gear, blades tied", "a steady state takes subsystems one by one"},
     {"heavy_top", "nothing holds it: all roots are zero"},
     {"quadcopter", "its rotors of two blades have no constant matrices"},

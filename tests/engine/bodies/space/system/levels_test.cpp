@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -302,4 +303,20 @@ TEST_CASE("rotors on what rotors carry are drawn and measured where the same in 
       CHECK(compared >= 7);
     }
   }
+}
+
+TEST_CASE("a gondola that turns back as fast as its arm hangs from a circle: the ride's pendulum") {
+  Simulation simulation(read_model("fairground_ride"));
+  simulation.run_until(52.0);
+  double swing = 0.0, acceleration = 0.0;
+  for (double t = 52.0; t <= 60.0; t += 0.1) {  // a turn takes 7.9 s
+    simulation.run_until(t);
+    swing = std::max(swing, simulation.sensor("seat_a1.swing"));
+    acceleration = std::max(acceleration, simulation.sensor("seat_a1.motion.x"));
+  }
+  const double radius = 4.5, speed = 0.8, length = 0.8 + 8.0 / (90.0 * 0.8);
+  CHECK(acceleration == doctest::Approx(radius * speed * speed).epsilon(1e-3));
+  const double small = radius * speed * speed / (9.81 - length * speed * speed);
+  CHECK(swing < small);
+  CHECK(swing > 0.96 * small);  // damped, and beyond small angles
 }
