@@ -306,7 +306,7 @@ TEST_CASE("rotors on what rotors carry are drawn and measured where the same in 
 }
 
 TEST_CASE("a gondola that turns back as fast as its arm hangs from a circle: the ride's pendulum") {
-  Simulation simulation(read_model("fairground_ride"));
+  Simulation simulation(read_model("fairground_ride.toml"));
   simulation.run_until(52.0);
   double swing = 0.0, acceleration = 0.0;
   for (double t = 52.0; t <= 60.0; t += 0.1) {  // a turn takes 7.9 s
