@@ -134,9 +134,10 @@ void SimulationCore::require_shareable(const Loads& loads) const {
                        "blades, of which each process has its own; expected one process");
   if (const SystemContext<Space>* space = model->space();
       space && !space->system.shared_loops.empty())
-    throw InputError(text +
-                     "a loop is between subsystems, of which each process has its own; "
-                     "expected one process");
+    throw InputError(
+        text +
+        "a loop or a coupling is between subsystems, of which each process has its own; "
+        "expected one process");
   const int subsystems = model->extent().subsystems;
   if (count > subsystems)
     throw InputError(text + "it has " + counted(subsystems, "subsystem") +

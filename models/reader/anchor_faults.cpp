@@ -81,6 +81,8 @@ Fault find_fault(const Anchor& anchor, const std::vector<Anchor>& before,
     first.add({"turns_with_hub",
                "is true in the frame \"hub\", which turns with the hub itself; expected it only "
                "with frame = \"mount\" or \"axle\""});
+  if (in_plane && anchor.rotor != 0)
+    first.add({"rotor", "names a rotor in space, expected none in the plane"});
   if (anchor.frame == Anchor::Frame::mount && anchor.rotor != 0)
     first.add({"rotor",
                "is not the first, but the frame is \"mount\", which is no rotor's; expected none, "

@@ -37,6 +37,8 @@ TEST_CASE("anchors that cannot be are refused") {
           {name, name + "frame = \"axle\"\n",
            "f.toml:9:9: anchor.1.frame: is \"axle\", which belongs to a hub on a support; expected "
            "\"mount\" or \"hub\""},
+          {name, name + "rotor = \"tail\"\n",
+           "f.toml:9:9: anchor.1.rotor: is \"tail\", but there is no [[rotor]]"},
           {name, name + "frame = \"hub\"\nturns_with_hub = true\n",
            "f.toml:10:18: anchor.1.turns_with_hub: is true in the frame \"hub\", which turns with "
            "the hub itself; expected it only with frame = \"mount\" or \"axle\""},
@@ -154,4 +156,10 @@ TEST_CASE("sensors of closed loops that cannot be are refused") {
               {{kIntegration, with("loop = \"rod\""),
                 "f.toml:35:8: sensor.1.loop: is \"rod\", but the sensor is where there is no "
                 "[[blade.loop]]"}});
+}
+
+TEST_CASE("an anchor in the plane is beside no rotor") {
+  check_edits(kPlaneLoopText,
+              {{"name = \"cart\"\n", "name = \"cart\"\nrotor = \"tail\"\n",
+                "f.toml:7:9: anchor.1.rotor: names a rotor in space, expected none in the plane"}});
 }
