@@ -26,7 +26,9 @@ struct LinearSignal {
 /// These are differences from the steady values. In the frame `turning` they are seen from the hub;
 /// in the frame `fixed` from outside, with amplitudes in the place of the values of equal blades:
 /// that of blade b at the azimuth psi_b is collective + cosine cos psi_b + sine sin psi_b + ..., of
-/// states, inputs and outputs alike.
+/// states, inputs and outputs alike. Of several rotors on a support all is named as that of one,
+/// what belongs to the hub or the axle of a further one with its name before it: "tail.hub / force
+/// x".
 struct LinearSystem {
   EquilibriumResult equilibrium;  ///< may be that of a free hub without supports
   ModeFrame frame = ModeFrame::turning;
@@ -35,12 +37,12 @@ struct LinearSystem {
   /// blade from root to tip, or of each pattern of blades, then the rates of all in the same order.
   std::vector<LinearSignal> states;
   /// Signals of u: by blade, or by family and pattern, the factors of its loads and the efforts at
-  /// its free joints, then the factors of loads on the hub and the forces on its free coordinates,
-  /// including the torque of the drive.
+  /// its free joints, then the factors of loads on hubs and the forces on their free coordinates,
+  /// including the torques of drives.
   std::vector<LinearSignal> inputs;
   /// Signals of y: by blade, or by family and pattern, the displacement of the tip, the scenario's
   /// sensors whose frames turn with the hub, and coordinates of free joints; then the free
-  /// coordinates of the hub with their rates. From outside vectors along the hub's axes are along
+  /// coordinates of each hub with their rates. From outside vectors along the hub's axes are along
   /// axes that are turned with the blade about the hub's.
   std::vector<LinearSignal> outputs;
   /// Columns of the scenario's sensors that are not among the outputs, since their values are no

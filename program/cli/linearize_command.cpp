@@ -6,13 +6,14 @@
 #include "program/cli/report.h"
 #include "program/cli/steady_task.h"
 #include "program/steady_report/linear_files.h"
+#include "program/steady_report/mode_files.h"
 
 namespace spoke::cli {
 namespace {
 
 void print(const LinearSystem& system, const SteadyTask& task) {
   print_title(task.scenario().title);
-  print_line("speed", fmt::format("{:.6g} rad/s", system.equilibrium.speed));
+  print_line("speed", steady_report::describe_speeds(system.equilibrium));
   print_line("frame", system.frame == ModeFrame::fixed ? "fixed: multi-blade coordinates"
                                                        : "turning with the hub");
   print_line("states", std::to_string(system.states.size()));

@@ -35,11 +35,12 @@ std::string make_json(const LinearSystem& system) {
   for (const std::string& name : system.left_out) left_out.push_back(name);
   Json left_out_inputs = Json::array();
   for (const std::string& name : system.left_out_inputs) left_out_inputs.push_back(name);
-  const Json json = {
+  Json json = {
       {"speed_rad_per_s", system.equilibrium.speed}, {"frame", name_of(system.frame)},
       {"states", signals_json(system.states)},       {"inputs", signals_json(system.inputs)},
       {"outputs", signals_json(system.outputs)},     {"left_out", left_out},
       {"left_out_inputs", left_out_inputs}};
+  if (!system.equilibrium.rotors.empty()) json.set("rotors", speeds_json(system.equilibrium));
   return json.dump_lines();
 }
 

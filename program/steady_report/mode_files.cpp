@@ -148,6 +148,13 @@ std::string describe_speeds(const EquilibriumResult& result) {
   return text + " rad/s";
 }
 
+Json speeds_json(const EquilibriumResult& result) {
+  Json rotors = Json::array();
+  for (const RotorEquilibrium& rotor : result.rotors)
+    rotors.push_back({{"name", rotor.name}, {"speed_rad_per_s", rotor.speed}});
+  return rotors;
+}
+
 std::string describe_growth(const ModesResult& result) {
   std::string names;
   for (const Mode& mode : result.modes)
@@ -165,10 +172,7 @@ std::string make_json(const ModesResult& result) {
   Json json = {{"speed_rad_per_s", result.equilibrium.speed},   {"frame", name_of(result.frame)},
                {"blades_couple", result.are_blades_coupled},    {"notes", result.notes},
                {"equilibrium", nodes_json(result.equilibrium)}, {"modes", modes}};
-  Json rotors = Json::array();
-  for (const RotorEquilibrium& rotor : result.equilibrium.rotors)
-    rotors.push_back({{"name", rotor.name}, {"speed_rad_per_s", rotor.speed}});
-  if (!result.equilibrium.rotors.empty()) json.set("rotors", rotors);
+  if (!result.equilibrium.rotors.empty()) json.set("rotors", speeds_json(result.equilibrium));
   return json.dump_lines();
 }
 

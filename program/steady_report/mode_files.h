@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/modes.h"
+#include "models/support/json.h"
 #include "program/report/page.h"
 
 namespace spoke::steady_report {
@@ -22,6 +23,8 @@ std::string describe(ModeFrame frame);
 report::Table make_mode_table(const ModesResult& result);
 /// Returns the speed of the hub, or of each of several rotors: "main 36, tail 180 rad/s".
 std::string describe_speeds(const EquilibriumResult& result);
+/// Returns name and speed of each of several rotors.
+Json speeds_json(const EquilibriumResult& result);
 /// Returns a remark about modes that grow; empty if none does.
 std::string describe_growth(const ModesResult& result);
 /// Returns modes.json: everything except the matrices, shapes included.

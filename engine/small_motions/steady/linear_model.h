@@ -61,9 +61,9 @@ struct LinearSupport {
   Eigen::VectorXd step{};         ///< by which each of z was moved [m, rad]
   /// By rotor: its axle's entry of z; none: the axle does not turn freely.
   std::vector<std::optional<Eigen::Index>> axles{};
-  /// Along which the torque of the first rotor's drive acts, that of the axle or of its generator;
-  /// zero if a drive prescribes the motion.
-  Eigen::VectorXd drive{};
+  /// By rotor: along which the torque of its drive acts, that of the axle or of its generator; zero
+  /// if a drive prescribes the motion.
+  std::vector<Eigen::VectorXd> drives{};
   std::vector<std::string> of{};     ///< by entry of z: the body, or the joint, that it moves
   std::vector<std::string> names{};  ///< of the entries: "support / tower / node 3 / w"
   std::vector<bool> turns{};         ///< by entry: whether it is an angle

@@ -124,7 +124,7 @@ void add_axle(std::size_t r, Index axle, const Eigen::Vector3d& moment, const Su
   support.C -= rotor.torque_slope * drive * drive.transpose();
   const Eigen::Vector3d tilting(-moment.y(), moment.x(), 0.0);  // axis x moment
   support.K.row(axle) -= tilting.transpose() * rows_of(r, support.J).bottomRows(3);
-  if (r == 0) support.drive = drive;
+  support.drives[r] = drive;
 }
 
 /// Takes off the mass of what stands for a hub on the support, whose axle is held there.
@@ -187,7 +187,7 @@ LinearModel linearize_on(SupportedModel& model, const Equilibrium& equilibrium) 
     const auto J = rows_of(r, support.J);
     support.K += J.transpose() * calc_dead_stiffness(r, parts.rotors[r], model) * J;
   }
-  support.drive = Eigen::VectorXd::Zero(z.all);
+  support.drives.assign(model.rotors(), Eigen::VectorXd::Zero(z.all));
   for (std::size_t r = 0; r < model.rotors(); ++r)
     if (z.axles[r]) add_axle(r, *z.axles[r], -equilibrium.wrenches[r].tail<3>(), model, support);
   name_entries(z, own, model, support);

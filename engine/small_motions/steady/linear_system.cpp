@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/small_motions/steady/azimuths.h"
+#include "engine/small_motions/steady/joined_rotors.h"
 #include "engine/small_motions/steady/linear_model.h"
 #include "engine/small_motions/steady/linear_support.h"
 #include "engine/small_motions/steady/load_effects.h"
@@ -40,7 +41,7 @@ LinearModel linearize_standing(const Equilibrium& equilibrium, SteadyModel& mode
   LinearModel linear = linearize_machine(equilibrium, model);
   require_constant(linear, equilibrium, model);
   if (!linear.support) return linear;
-  if (model.speed() != 0.0)
+  if (model.turns())
     throw InputError(
         "the frame \"turning\" expects a hub whose support does not move, or a speed of 0: on a "
         "support the frame \"fixed\" has constant matrices");
@@ -55,8 +56,9 @@ class Assembly {
         model_(model),
         linear_(linearize_standing(equilibrium, model)),
         kinematics_(make_hub_kinematics(model)),
-        hub_motion_(find_hub_motion()),
         effects_(calc_load_effects(scenario, equilibrium, model)) {
+    for (std::size_t h = 0; h < model.hubs(); ++h) hub_motions_.push_back(find_hub_motion(h));
+    if (linear_.is_coupled()) find_hub_inputs();
     count();
     if (linear_.is_coupled()) require_few_coupled(size_);
   }
@@ -69,18 +71,17 @@ class Assembly {
   /// Number of the coordinates that the loops of a subsystem leave independent.
   Index subsystem_size(std::size_t i) const { return linear_.subsystem(i).M.rows(); }
   Index load_count(std::size_t i) const { return std::ssize(effects_.subsystems[i]); }
-  MatrixXd find_hub_motion() const;
+  MatrixXd find_hub_motion(std::size_t hub) const;
   /// Returns how the hub's coordinates move what carries a subsystem: the hub, or a support's base.
   const MatrixXd& carrier_motion(std::size_t i) const {
-    return model_.stands(i) ? linear_.support->base : hub_motion_;
+    return model_.stands(i) ? linear_.support->base : hub_motions_[model_.hub_of(i)];
   }
-  bool has_axle() const { return linear_.support && linear_.support->of.back() == "axle"; }
-  /// Number of the forces on the hub.
-  Index effort_count() const { return std::ssize(free()) + (has_axle() ? 1 : 0); }
+  void find_hub_inputs();
 
   void count();
   void name_states();
   void name_inputs();
+  void add_hub_input(const LinearSignal& signal, const Eigen::VectorXd& force);
   Part make_subsystem_part(std::size_t i);
   Part make_whole_part();
   LinearSignal name_coordinate(std::size_t i, Index k) const;
@@ -97,8 +98,10 @@ class Assembly {
   SteadyModel& model_;
   LinearModel linear_;
   HubKinematics kinematics_;
-  MatrixXd hub_motion_;  ///< the hub's twist by its coordinates' rates
+  std::vector<MatrixXd> hub_motions_;  ///< by hub: its twist by the hub's coordinates' rates
   LoadEffects effects_;
+  std::vector<LinearSignal> hub_inputs_;     ///< behind those of subsystems
+  std::vector<Eigen::VectorXd> hub_forces_;  ///< of these, on the hub's coordinates
   std::vector<Index> coordinates_, inputs_;  ///< first index of each subsystem
   Index size_ = 0;                           ///< number of all coordinates
   Index input_count_ = 0;
@@ -113,23 +116,38 @@ void Assembly::count() {
     coordinates_.push_back(std::exchange(size_, size_ + subsystem_size(i)));
     inputs_.push_back(std::exchange(input_count_, input_count_ + load_count(i)));
   }
-  if (linear_.is_coupled()) input_count_ += std::ssize(effects_.hub) + effort_count();
+  input_count_ += std::ssize(hub_inputs_);
 }
 
-MatrixXd Assembly::find_hub_motion() const {
-  if (linear_.support) return linear_.support->J;
+MatrixXd Assembly::find_hub_motion(std::size_t hub) const {
+  if (linear_.support) return rows_of(hub, linear_.support->J);
   const Index d = model_.twist_size();
   const MatrixXd all = MatrixXd::Identity(d, d);
   return all(Eigen::all, free());
 }
 
+void Assembly::add_hub_input(const LinearSignal& signal, const Eigen::VectorXd& force) {
+  hub_inputs_.push_back(signal);
+  hub_forces_.push_back(force);
+}
+
+/// Finds the inputs of hubs: loads, then forces on what moves freely, then the torques of drives.
+void Assembly::find_hub_inputs() {
+  for (std::size_t h = 0; h < model_.hubs(); ++h)
+    for (const LoadEffect& effect : effects_.hubs[h])
+      add_hub_input(effect.input, hub_motions_[h].transpose() * effect.hub_force);
+  for (std::size_t h = 0; h < model_.hubs(); ++h)
+    for (const int c : free())
+      add_hub_input(name_hub_effort(h, c, model_), hub_motions_[h].row(c).transpose());
+  if (!linear_.support) return;
+  for (std::size_t h = 0; h < model_.hubs(); ++h)
+    if (const Eigen::VectorXd& drive = linear_.support->drives[h]; !drive.isZero(0.0))
+      add_hub_input(name_drive_torque(h, model_), drive);
+}
+
 void Assembly::name_states() {
   std::vector<LinearSignal>& states = result_.states;
-  if (const auto& support = linear_.support)
-    for (std::size_t k = 0; k < support->names.size(); ++k)
-      states.push_back({support->names[k], support->turns[k] ? "rad" : "m"});
-  else
-    for (const int c : free()) states.push_back(name_hub_motion(c, model_));
+  states = name_hub_states(linear_, model_);
   for (std::size_t i = 0; i < model_.subsystems(); ++i)
     for (const Index k : linear_.subsystem(i).independent) states.push_back(name_coordinate(i, k));
   for (std::size_t k = 0; k < static_cast<std::size_t>(size_); ++k)
@@ -140,10 +158,7 @@ void Assembly::name_inputs() {
   std::vector<LinearSignal>& inputs = result_.inputs;
   for (const std::vector<LoadEffect>& subsystem : effects_.subsystems)
     for (const LoadEffect& effect : subsystem) inputs.push_back(effect.input);
-  if (!linear_.is_coupled()) return;
-  for (const LoadEffect& effect : effects_.hub) inputs.push_back(effect.input);
-  for (const int c : free()) inputs.push_back(name_hub_effort(c, model_));
-  if (has_axle()) inputs.push_back({"axle / torque", "N m"});
+  inputs.insert(inputs.end(), hub_inputs_.begin(), hub_inputs_.end());
 }
 
 Part Assembly::make_subsystem_part(std::size_t i) {
@@ -198,11 +213,8 @@ Part Assembly::make_whole_part() {
           hub.following.transpose() *
           to_columns(effects, &LoadEffect::force, std::ssize(model_.coordinates(i)));
   }
-  const Index loads = std::ssize(effects_.hub), own = input_count_ - effort_count();
-  part.F.block(0, own - loads, h, loads) = on_hub(effects_.hub, hub_motion_);
-  const MatrixXd by_effort = hub_motion_.transpose();
-  part.F.block(0, own, h, std::ssize(free())) = by_effort(Eigen::all, free());
-  if (has_axle()) part.F(h - 1, input_count_ - 1) = 1.0;
+  Index column = input_count_ - std::ssize(hub_forces_);
+  for (const Eigen::VectorXd& force : hub_forces_) part.F.col(column++).head(h) = force;
   return part;
 }
 
@@ -274,15 +286,16 @@ void Assembly::add_hub_outputs() {
       add_output(result_.states[static_cast<std::size_t>(column)], column);
 }
 
-/// Adds the motion of a hub on a support.
+/// Adds the motion of hubs on a support.
 void Assembly::add_supported_hub_outputs() {
-  for (const int c : free()) {
-    const LinearSignal moved = name_hub_motion(c, model_);
-    for (const bool is_rate : {false, true}) {
-      C_.add(std::ssize(result_.outputs), is_rate ? size_ : 0, hub_motion_.row(c));
-      result_.outputs.push_back(is_rate ? rate_of(moved) : moved);
+  for (std::size_t h = 0; h < model_.hubs(); ++h)
+    for (const int c : free()) {
+      const LinearSignal moved = name_hub_motion(h, c, model_);
+      for (const bool is_rate : {false, true}) {
+        C_.add(std::ssize(result_.outputs), is_rate ? size_ : 0, hub_motions_[h].row(c));
+        result_.outputs.push_back(is_rate ? rate_of(moved) : moved);
+      }
     }
-  }
 }
 
 LinearSystem Assembly::make() {

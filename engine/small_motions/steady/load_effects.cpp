@@ -104,12 +104,21 @@ bool does_nothing(const LoadEffect& effect) {
   return effect.force.isZero(0.0) && effect.hub_force.isZero(0.0) && effect.outputs.isZero(0.0);
 }
 
+/// Returns the options of a model whose hubs turn as those of `model`.
+SteadyOptions turn_like(const SteadyModel& model) {
+  SteadyOptions options{.speed = model.speed(), .has_outputs = true};
+  for (std::size_t h = 1; h < model.hubs(); ++h)
+    options.further_speeds.push_back(model.rotor(h).speed());
+  return options;
+}
+
 /// Makes the model of a scenario that stands like `model`; with an azimuth as it is there, with all
 /// parts of its loads.
 std::unique_ptr<SteadyModel> make_like(const SteadyModel& model, const Scenario& scenario,
                                        std::optional<double> azimuth) {
-  std::unique_ptr<SteadyModel> made = make_steady_model(
-      scenario, {.speed = model.speed(), .is_whole = azimuth.has_value(), .has_outputs = true});
+  SteadyOptions options = turn_like(model);
+  options.is_whole = azimuth.has_value();
+  std::unique_ptr<SteadyModel> made = make_steady_model(scenario, options);
   if (SupportedModel* machine = made->on_support()) {
     machine->stand_like(*model.on_support());
     if (azimuth) machine->turn_rotors(*azimuth);
@@ -122,7 +131,7 @@ std::unique_ptr<SteadyModel> make_like(const SteadyModel& model, const Scenario&
 /// What a model exerts and shows at an equilibrium.
 struct Answers {
   std::vector<LoadEffect> subsystems;
-  VectorXd hub;
+  std::vector<VectorXd> hubs;
 };
 Answers answer_all(const Equilibrium& equilibrium, const SteadyModel& settled, SteadyModel& model) {
   Answers answers;
@@ -130,7 +139,8 @@ Answers answer_all(const Equilibrium& equilibrium, const SteadyModel& settled, S
     if (&model != &settled) model.settle_at(i, settled.absolute(i, equilibrium.q[i]));
     answers.subsystems.push_back(answer(i, make_state(equilibrium.q[i]), model));
   }
-  answers.hub = model.hub_force(model.no_offset());
+  for (std::size_t h = 0; h < model.hubs(); ++h)
+    answers.hubs.push_back(model.rotor(h).hub_force(model.no_offset()));
   return answers;
 }
 
@@ -151,9 +161,9 @@ std::vector<InputEffect> calc_effects(const Scenario& scenario, const Equilibriu
       effect.hub_force -= steady.subsystems[i].hub_force;
       effect.outputs -= steady.subsystems[i].outputs;
     }
-    effects.push_back({{input.name, input.unit},
-                       std::move(changed.subsystems),
-                       VectorXd(changed.hub - steady.hub)});
+    for (std::size_t h = 0; h < changed.hubs.size(); ++h) changed.hubs[h] -= steady.hubs[h];
+    effects.push_back(
+        {{input.name, input.unit}, std::move(changed.subsystems), std::move(changed.hubs)});
   }
   return effects;
 }
@@ -164,6 +174,7 @@ LoadEffects calc_load_effects(const Scenario& scenario, const Equilibrium& equil
                               SteadyModel& model) {
   LoadEffects effects;
   effects.subsystems.resize(model.subsystems());
+  effects.hubs.resize(model.hubs());
   for (InputEffect& by : calc_effects(scenario, equilibrium, model, model, std::nullopt)) {
     for (std::size_t i = 0; i < model.subsystems(); ++i) {
       LoadEffect& effect = by.subsystems[i];
@@ -171,8 +182,10 @@ LoadEffects calc_load_effects(const Scenario& scenario, const Equilibrium& equil
       effect.input = {model.name_of(i) + " / " + by.input.name, by.input.unit};
       effects.subsystems[i].push_back(std::move(effect));
     }
-    if (!by.hub.isZero(0.0))
-      effects.hub.push_back({{"hub / " + by.input.name, by.input.unit}, {}, by.hub, {}});
+    for (std::size_t h = 0; h < model.hubs(); ++h)
+      if (!by.hubs[h].isZero(0.0))
+        effects.hubs[h].push_back(
+            {{model.prefix_of(h) + "hub / " + by.input.name, by.input.unit}, {}, by.hubs[h], {}});
   }
   return effects;
 }

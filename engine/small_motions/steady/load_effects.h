@@ -13,14 +13,14 @@ namespace spoke::steady {
 struct LoadEffect {
   LinearSignal input;
   Eigen::VectorXd force;      ///< on the coordinates of its subsystem
-  Eigen::VectorXd hub_force;  ///< on the hub, all components
+  Eigen::VectorXd hub_force;  ///< on the hub that carries it, all components
   Eigen::VectorXd outputs;    ///< of its subsystem
 };
 
-/// The effects on the subsystems, and on the hub alone.
+/// The effects on the subsystems, and on each hub alone.
 struct LoadEffects {
   std::vector<std::vector<LoadEffect>> subsystems;
-  std::vector<LoadEffect> hub;
+  std::vector<std::vector<LoadEffect>> hubs;
 };
 
 /// What raising an input by one does to everything: `subsystems` has an entry for each, whose
@@ -28,7 +28,7 @@ struct LoadEffects {
 struct InputEffect {
   LinearSignal input;  ///< without the name of what it acts on
   std::vector<LoadEffect> subsystems;
-  Eigen::VectorXd hub;  ///< on the hub alone, all components
+  std::vector<Eigen::VectorXd> hubs;  ///< on each hub alone, all components
 };
 
 /// Calculates the effects from models in which one input each is raised by one and all else is as
@@ -37,7 +37,7 @@ struct InputEffect {
 LoadEffects calc_load_effects(const Scenario& scenario, const Equilibrium& equilibrium,
                               SteadyModel& model);
 /// As calc_load_effects(), for every input; but with all parts of loads of constant direction, as
-/// they are at an azimuth of the hub. Vectors are along the axes that the hub has there.
+/// they are at an azimuth of all hubs. Vectors are along the axes that the hub has there.
 std::vector<InputEffect> calc_effects_at(double azimuth, const Scenario& scenario,
                                          const Equilibrium& equilibrium, SteadyModel& model);
 

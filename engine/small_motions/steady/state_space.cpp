@@ -48,14 +48,28 @@ Eigen::SparseMatrix<double> MatrixEntries::matrix(Index rows, Index columns) con
   return made;
 }
 
-LinearSignal name_hub_motion(int c, const SteadyModel& model) {
-  return {std::string("hub / ") + name_component(c, model).coordinate,
+LinearSignal name_hub_motion(std::size_t hub, int c, const SteadyModel& model) {
+  return {model.prefix_of(hub) + "hub / " + name_component(c, model).coordinate,
           is_rotation(c, model) ? "rad" : "m"};
 }
 
-LinearSignal name_hub_effort(int c, const SteadyModel& model) {
-  return {std::string("hub / ") + name_component(c, model).effort,
+LinearSignal name_hub_effort(std::size_t hub, int c, const SteadyModel& model) {
+  return {model.prefix_of(hub) + "hub / " + name_component(c, model).effort,
           is_rotation(c, model) ? "N m" : "N"};
+}
+
+LinearSignal name_drive_torque(std::size_t hub, const SteadyModel& model) {
+  return {model.prefix_of(hub) + "axle / torque", "N m"};
+}
+
+std::vector<LinearSignal> name_hub_states(const LinearModel& linear, const SteadyModel& model) {
+  std::vector<LinearSignal> states;
+  if (const auto& support = linear.support)
+    for (std::size_t k = 0; k < support->names.size(); ++k)
+      states.push_back({support->names[k], support->turns[k] ? "rad" : "m"});
+  else
+    for (const int c : model.free_components()) states.push_back(name_hub_motion(0, c, model));
+  return states;
 }
 
 LinearSignal rate_of(const LinearSignal& signal) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/small_motions/steady/linear_model.h"
 #include "engine/small_motions/steady/load_effects.h"
 
 namespace spoke::steady {
@@ -28,9 +29,13 @@ class MatrixEntries {
   std::vector<Eigen::Triplet<double, Eigen::Index>> list_;
 };
 
-/// Names component `c` of the hub's motion, or of its force.
-LinearSignal name_hub_motion(int c, const SteadyModel& model);
-LinearSignal name_hub_effort(int c, const SteadyModel& model);
+/// Names component `c` of a hub's motion, or of its force.
+LinearSignal name_hub_motion(std::size_t hub, int c, const SteadyModel& model);
+LinearSignal name_hub_effort(std::size_t hub, int c, const SteadyModel& model);
+/// Names the torque of a drive between a hub and what carries it.
+LinearSignal name_drive_torque(std::size_t hub, const SteadyModel& model);
+/// Names the coordinates of the hub that are free, or those of a support.
+std::vector<LinearSignal> name_hub_states(const LinearModel& linear, const SteadyModel& model);
 /// Returns the rate of a signal.
 LinearSignal rate_of(const LinearSignal& signal);
 

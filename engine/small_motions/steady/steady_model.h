@@ -184,6 +184,12 @@ class SteadyModel {
   virtual bool stands(std::size_t) const { return false; }
   /// Returns a number of the hub that carries a subsystem; a support has one of its own.
   virtual std::size_t hub_of(std::size_t) const { return 0; }
+  /// Returns the number of hubs that carry blades: one, or several on a support.
+  virtual std::size_t hubs() const { return 1; }
+  /// Returns the model of what a hub carries, with the hub.
+  virtual const SteadyModel& rotor(std::size_t) const { return *this; }
+  /// Returns what comes before "hub" and "axle" in their names: nothing for the first ones.
+  virtual std::string prefix_of(std::size_t) const { return {}; }
   virtual std::size_t subsystems() const = 0;
   virtual const std::string& name_of(std::size_t subsystem) const = 0;
   virtual const std::vector<std::string>& body_names(std::size_t subsystem) const = 0;

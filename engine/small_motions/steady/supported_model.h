@@ -55,7 +55,7 @@ class SupportedModel final : public SteadyModel {
   explicit SupportedModel(SupportedParts parts);
 
   std::size_t rotors() const { return parts_.rotors.size(); }
-  SteadyModel& rotor(std::size_t r) const { return *rotors_[r]; }
+  SteadyModel& rotor(std::size_t r) const override { return *rotors_[r]; }
   SteadyModel& support() const { return *support_; }
   const RotorParts& parts(std::size_t r) const { return parts_.rotors[r]; }
   /// Returns the rotor that carries a subsystem. Precondition: that is not the support.
@@ -89,6 +89,8 @@ class SupportedModel final : public SteadyModel {
   SupportedModel* on_support() override { return this; }
   bool stands(std::size_t subsystem) const override { return subsystem == support_index(); }
   std::size_t hub_of(std::size_t i) const override { return stands(i) ? rotors() : rotor_of(i); }
+  std::size_t hubs() const override { return rotors(); }
+  std::string prefix_of(std::size_t r) const override { return parts(r).prefix; }
 
   double speed_of(std::size_t i) const override { return stands(i) ? speed_ : of(i).speed(); }
   bool turns() const override;

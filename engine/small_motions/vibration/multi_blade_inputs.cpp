@@ -67,13 +67,13 @@ bool is_same(const Turning& a, const Turning& b) {
 /// Finds the inputs of one model.
 class InputFinder {
  public:
-  InputFinder(const Scenario& scenario, const Linearised& all, const StandingAxes& axes)
-      : all_(all), axes_(axes), samples_(sample_effects(scenario, all)) {}
+  InputFinder(const Scenario& scenario, const Linearised& all, const Turning& T)
+      : all_(all), T_(T), samples_(sample_effects(scenario, all)) {}
 
   void add_family(const BladeFamily& family);
   /// Adds what acts on a subsystem that is no blade of a family.
   void add_subsystem(std::size_t i);
-  void add_hub();
+  void add_hub(std::size_t hub);
   MultiBladeInputs take() { return std::move(found_); }
 
  private:
@@ -93,20 +93,22 @@ class InputFinder {
   BladeInput see_along_blade(std::size_t input, std::size_t i) const;
   std::vector<Open> list_inputs_of(std::size_t i) const;
   std::optional<VectorXd> stand(const std::array<VectorXd, kAzimuths>& wrench) const;
+  void add_wrench(const LinearSignal& signal, std::size_t hub,
+                  const std::array<VectorXd, kAzimuths>& wrench);
   LinearSignal name(std::size_t input, const std::string& of) const {
     const LinearSignal& signal = samples_[0][input].input;
     return {of + " / " + signal.name, signal.unit};
   }
 
   const Linearised& all_;
-  const StandingAxes& axes_;
+  const Turning& T_;
   Samples samples_;
   MultiBladeInputs found_;
 };
 
 BladeInput InputFinder::see_along_blade(std::size_t input, std::size_t i) const {
   const double azimuth = all_.model.azimuth(i);
-  const MatrixXd to_blade = axes_.T.at(azimuth).transpose();
+  const MatrixXd to_blade = T_.at(azimuth).transpose();
   const MatrixXd turn = all_.model.turn_outputs(i, azimuth);
   const MatrixXd& Z = all_.linear.subsystem(i).basis;
   const MatrixXd following = find_following(i, all_);
@@ -178,12 +180,21 @@ std::optional<VectorXd> InputFinder::stand(const std::array<VectorXd, kAzimuths>
   VectorXd mean = VectorXd::Zero(wrench[0].size());
   std::array<VectorXd, kAzimuths> standing;
   for (std::size_t k = 0; k < kAzimuths; ++k) {
-    standing[k] = axes_.T.at(azimuth_of(static_cast<int>(k))) * wrench[k];
+    standing[k] = T_.at(azimuth_of(static_cast<int>(k))) * wrench[k];
     mean += standing[k] / kAzimuths;
   }
   for (const VectorXd& value : standing)
     if ((value - mean).norm() > kAlikeEffects * value.norm()) return std::nullopt;
   return mean;
+}
+
+/// Adds an input by what it does to a hub at the azimuths.
+void InputFinder::add_wrench(const LinearSignal& signal, std::size_t hub,
+                             const std::array<VectorXd, kAzimuths>& wrench) {
+  if (const std::optional<VectorXd> standing = stand(wrench))
+    found_.standing.push_back({signal, hub, *standing, {}});
+  else
+    found_.left_out.push_back(signal.name);
 }
 
 void InputFinder::add_subsystem(std::size_t i) {
@@ -192,30 +203,23 @@ void InputFinder::add_subsystem(std::size_t i) {
     const LinearSignal signal = name(k, all_.model.name_of(i));
     if (all_.model.stands(i)) {
       if (!does_nothing(first))
-        found_.standing.push_back({signal, VectorXd::Zero(axes_.W.rows()), first});
+        found_.standing.push_back({signal, 0, VectorXd::Zero(T_.mean.rows()), first});
       continue;
     }
     const auto wrench = at_azimuths([&](int s) { return effect(s, k, i).hub_force; });
     if (std::all_of(wrench.begin(), wrench.end(), [](const VectorXd& w) { return w.isZero(0.0); }))
       continue;
-    if (const std::optional<VectorXd> standing = stand(wrench))
-      found_.standing.push_back({signal, *standing, {}});
-    else
-      found_.left_out.push_back(signal.name);
+    add_wrench(signal, all_.model.hub_of(i), wrench);
   }
 }
 
-void InputFinder::add_hub() {
+void InputFinder::add_hub(std::size_t hub) {
   for (std::size_t k = 0; k < count(); ++k) {
     const auto wrench =
-        at_azimuths([&](int s) { return samples_[static_cast<std::size_t>(s)][k].hub; });
+        at_azimuths([&](int s) { return samples_[static_cast<std::size_t>(s)][k].hubs[hub]; });
     if (std::all_of(wrench.begin(), wrench.end(), [](const VectorXd& w) { return w.isZero(0.0); }))
       continue;
-    const LinearSignal signal = name(k, "hub");
-    if (const std::optional<VectorXd> standing = stand(wrench))
-      found_.standing.push_back({signal, *standing, {}});
-    else
-      found_.left_out.push_back(signal.name);
+    add_wrench(name(k, all_.model.prefix_of(hub) + "hub"), hub, wrench);
   }
 }
 
@@ -230,15 +234,18 @@ std::string name_family(const BladeFamily& family, const steady::SteadyModel& mo
 MatrixXd find_following(std::size_t subsystem, const Linearised& all) {
   if (!all.linear.is_coupled()) return {};
   const MatrixXd& by_free = all.linear.couplings[subsystem].following;
-  if (by_free.size() == 0 || all.linear.support) return by_free;
-  MatrixXd following = MatrixXd::Zero(by_free.rows(), all.model.twist_size());
+  const Eigen::Index d = all.model.twist_size();
+  if (by_free.size() == 0) return by_free;
+  if (all.linear.support)
+    return by_free.middleCols(d * static_cast<Eigen::Index>(all.model.hub_of(subsystem)), d);
+  MatrixXd following = MatrixXd::Zero(by_free.rows(), d);
   following(Eigen::all, all.model.free_components()) = by_free;
   return following;
 }
 
 MultiBladeInputs find_inputs(const Scenario& scenario, const Linearised& all,
-                             const FixedFrame& frame, const StandingAxes& axes) {
-  InputFinder finder(scenario, all, axes);
+                             const FixedFrame& frame, const Turning& T) {
+  InputFinder finder(scenario, all, T);
   std::vector<bool> is_blade(all.model.subsystems(), false);
   for (const BladeFamily& family : frame.families) {
     finder.add_family(family);
@@ -246,7 +253,8 @@ MultiBladeInputs find_inputs(const Scenario& scenario, const Linearised& all,
   }
   for (std::size_t i = 0; i < is_blade.size(); ++i)
     if (!is_blade[i]) finder.add_subsystem(i);
-  if (all.linear.is_coupled()) finder.add_hub();
+  if (all.linear.is_coupled())
+    for (std::size_t h = 0; h < all.model.hubs(); ++h) finder.add_hub(h);
   return finder.take();
 }
 

@@ -25,7 +25,8 @@ struct BladeInput {
 /// An input whose effect stands.
 struct StandingInput {
   LinearSignal input;
-  Eigen::VectorXd hub;         ///< on the hub, all components, along standing axes
+  std::size_t rotor;           ///< on whose hub it acts
+  Eigen::VectorXd hub;         ///< on that hub, all components, along standing axes
   steady::LoadEffect support;  ///< on the support, whose base is its hub; empty: nothing
 };
 
@@ -36,15 +37,16 @@ struct MultiBladeInputs {
   std::vector<std::string> left_out;
 };
 
-/// Finds the effects of all loads and motors of a scenario. `axes`: of all components of a twist.
+/// Finds the effects of all loads and motors of a scenario. `T`: the axes of any hub by its azimuth
+/// (StandingAxes), for all components of a twist.
 MultiBladeInputs find_inputs(const Scenario& scenario, const Linearised& all,
-                             const FixedFrame& frame, const StandingAxes& axes);
+                             const FixedFrame& frame, const Turning& T);
 
 /// Returns the name of a family: "blades 1 to 3".
 std::string name_family(const BladeFamily& family, const steady::SteadyModel& model);
 
-/// Returns how the components of the hub's motion, the columns, move the coordinates of a subsystem
-/// that its loops let follow; empty: none do.
+/// Returns how the components of the motion of its hub, the columns, move the coordinates of a
+/// subsystem that its loops let follow; empty: none do. Precondition: it is on a rotor.
 Eigen::MatrixXd find_following(std::size_t subsystem, const Linearised& all);
 
 }  // namespace spoke::vibration

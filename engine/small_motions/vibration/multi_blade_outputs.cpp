@@ -45,7 +45,7 @@ std::vector<Index> choose(const BladeFamily& family, const steady::SteadyModel& 
 /// Returns the columns for the hub's coordinates x, which turn.
 SecondOrder make_hub_columns(std::size_t i, const steady::OutputDerivatives& by,
                              const Linearised& all) {
-  const steady::HubKinematics hub = make_hub_kinematics(all.model);
+  const steady::HubKinematics hub = make_hub_kinematics(all.model.rotor(all.model.hub_of(i)));
   SecondOrder columns{by.by_acceleration, by.by_twist + by.by_acceleration * hub.P1,
                       by.by_turn + by.by_twist * hub.W + by.by_acceleration * hub.P0};
   const MatrixXd following = find_following(i, all);

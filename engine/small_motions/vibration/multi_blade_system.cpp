@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/small_motions/steady/joined_rotors.h"
 #include "engine/small_motions/steady/output_derivatives.h"
 #include "engine/small_motions/steady/state_space.h"
 #include "engine/small_motions/vibration/blade_amplitude.h"
@@ -33,24 +34,29 @@ class MultiBladeAssembly {
   MultiBladeAssembly(const Scenario& scenario, const Linearised& all)
       : all_(all),
         frame_(see_from_outside(all)),
-        axes_(make_standing_axes(list_components(all.model, steady::HubFreedom::all),
-                                 all.model.is_spatial(), all.model.speed())),
-        inputs_(find_inputs(scenario, all, frame_, axes_)),
-        motion_(find_motion()),
+        hubs_(find_hubs()),
+        inputs_(find_inputs(scenario, all, frame_, hubs_.front().axes.T)),
         size_(frame_.start(frame_.patterns.size())) {}
 
   LinearSystem make();
 
  private:
+  /// A hub that blades are on.
+  struct Hub {
+    StandingAxes axes;  ///< of all components of a twist
+    MatrixXd motion;    ///< how the frame's hub coordinates move it, all components
+  };
+
   Index hub_size() const { return frame_.model.M.rows(); }
   const steady::LinearSupport* support() const {
     return all_.linear.support ? &*all_.linear.support : nullptr;
   }
-  bool has_axle() const { return support() && support()->of.back() == "axle"; }
   double blades_of(std::size_t family) const {
     return static_cast<double>(frame_.families[family].blades.size());
   }
-  MatrixXd find_motion() const;
+  const Hub& hub_of(std::size_t family) const { return hubs_[frame_.families[family].rotor]; }
+  std::vector<Hub> find_hubs() const;
+  MatrixXd find_motion(std::size_t hub) const;
   std::vector<Amplitude> list_amplitudes(std::size_t family) const;
   std::vector<Group> list_groups() const;
 
@@ -71,11 +77,10 @@ class MultiBladeAssembly {
 
   const Linearised& all_;
   FixedFrame frame_;
-  StandingAxes axes_;  ///< of all components of a twist
+  std::vector<Hub> hubs_;
   MultiBladeInputs inputs_;
-  MatrixXd motion_;               ///< how the frame's hub coordinates move the hub, all components
-  Index size_ = 0;                ///< number of all coordinates
-  std::vector<VectorXd> forces_;  ///< of inputs on all coordinates
+  Index size_ = 0;                                  ///< number of all coordinates
+  std::vector<VectorXd> forces_;                    ///< of inputs on all coordinates
   std::vector<std::vector<Amplitude>> amplitudes_;  ///< by family
   std::vector<Index> first_inputs_;                 ///< of families
   Index first_standing_ = 0;                        ///< input
@@ -85,8 +90,17 @@ class MultiBladeAssembly {
   LinearSystem result_;
 };
 
-MatrixXd MultiBladeAssembly::find_motion() const {
-  if (support()) return support()->J;
+std::vector<MultiBladeAssembly::Hub> MultiBladeAssembly::find_hubs() const {
+  std::vector<Hub> hubs;
+  const std::vector<int> all = list_components(all_.model, steady::HubFreedom::all);
+  for (std::size_t h = 0; h < all_.model.hubs(); ++h)
+    hubs.push_back({make_standing_axes(all, all_.model.is_spatial(), all_.model.rotor(h).speed()),
+                    find_motion(h)});
+  return hubs;
+}
+
+MatrixXd MultiBladeAssembly::find_motion(std::size_t hub) const {
+  if (support()) return steady::rows_of(hub, support()->J);
   const Index d = all_.model.twist_size();
   const MatrixXd all = MatrixXd::Identity(d, d);
   return all(Eigen::all, all_.model.free_components());
@@ -129,12 +143,7 @@ std::vector<Group> MultiBladeAssembly::list_groups() const {
 
 void MultiBladeAssembly::name_states() {
   std::vector<LinearSignal>& states = result_.states;
-  if (support())
-    for (std::size_t k = 0; k < support()->names.size(); ++k)
-      states.push_back({support()->names[k], support()->turns[k] ? "rad" : "m"});
-  else
-    for (const int c : all_.model.free_components())
-      states.push_back(name_hub_motion(c, all_.model));
+  states = name_hub_states(all_.linear, all_.model);
   for (std::size_t f = 0; f < frame_.families.size(); ++f) {
     const BladeFamily& family = frame_.families[f];
     const std::string of = name_family(family, all_.model) + " / ";
@@ -158,6 +167,7 @@ void MultiBladeAssembly::add_input(const LinearSignal& signal, const VectorXd& f
 /// of one blade, and on the hub the sum over the blades.
 void MultiBladeAssembly::add_blade_inputs(std::size_t family) {
   first_inputs_.push_back(std::ssize(forces_));
+  const Hub& hub = hub_of(family);
   for (const BladeInput& input : inputs_.families[family])
     for (const Amplitude& by : amplitudes_[family]) {
       VectorXd force = VectorXd::Zero(size_);
@@ -165,7 +175,7 @@ void MultiBladeAssembly::add_blade_inputs(std::size_t family) {
         force.segment(to.at, input.force.mean.rows()) = to.size() * average(to, by).of(input.force);
       if (!by.is_differential && hub_size() > 0)
         force.head(hub_size()) =
-            blades_of(family) * motion_.transpose() * average_on_hub(axes_.T, input.hub, by);
+            blades_of(family) * hub.motion.transpose() * average_on_hub(hub.axes.T, input.hub, by);
       add_input({input.input.name + ' ' + by.name, input.input.unit}, force);
     }
 }
@@ -174,7 +184,7 @@ void MultiBladeAssembly::add_standing_inputs() {
   first_standing_ = std::ssize(forces_);
   for (const StandingInput& input : inputs_.standing) {
     VectorXd force = VectorXd::Zero(size_);
-    if (hub_size() > 0) force.head(hub_size()) = motion_.transpose() * input.hub;
+    if (hub_size() > 0) force.head(hub_size()) = hubs_[input.rotor].motion.transpose() * input.hub;
     if (input.support.force.size() > 0)
       force.head(hub_size()) += support()->motion.transpose() * input.support.force +
                                 support()->base.transpose() * input.support.hub_force;
@@ -182,17 +192,20 @@ void MultiBladeAssembly::add_standing_inputs() {
   }
 }
 
-/// Adds the forces on the hub along standing axes, and the torque between hub and carrier.
+/// Adds the forces on each hub along standing axes, and the torques between hubs and carriers.
 void MultiBladeAssembly::add_hub_inputs() {
-  for (const int c : all_.model.free_components()) {
+  const auto add = [this](const LinearSignal& signal, const VectorXd& on_hub) {
     VectorXd force = VectorXd::Zero(size_);
-    force.head(hub_size()) = motion_.row(c).transpose();
-    add_input(name_hub_effort(c, all_.model), force);
-  }
-  if (!has_axle() || support()->drive.isZero(0.0)) return;
-  VectorXd torque = VectorXd::Zero(size_);
-  torque.head(hub_size()) = support()->drive;
-  add_input({"axle / torque", "N m"}, torque);
+    force.head(hub_size()) = on_hub;
+    add_input(signal, force);
+  };
+  for (std::size_t h = 0; h < hubs_.size(); ++h)
+    for (const int c : all_.model.free_components())
+      add(name_hub_effort(h, c, all_.model), hubs_[h].motion.row(c).transpose());
+  if (!support()) return;
+  for (std::size_t h = 0; h < hubs_.size(); ++h)
+    if (!support()->drives[h].isZero(0.0))
+      add(name_drive_torque(h, all_.model), support()->drives[h]);
 }
 
 /// Returns the numbers of a group's coordinates among all: the hub's first.
@@ -293,7 +306,7 @@ void MultiBladeAssembly::add_pattern_outputs(std::size_t family, const BladeOutp
   C_.add(row, size_ + to.at, outputs.by_rate);
   if (to.size() > 1.0) {
     const Index partner = outputs.by_y.cols();
-    const double rate = to.multiple * axes_.speed;
+    const double rate = to.multiple * hub_of(family).axes.speed;
     if (to.is_sine)
       C_.add(row, to.at - partner, -rate * outputs.by_rate);
     else
@@ -308,16 +321,18 @@ void MultiBladeAssembly::add_pattern_outputs(std::size_t family, const BladeOutp
       D_.add(row, column++, shown(outputs.shown, Eigen::all));
     }
   if (hub_size() == 0 || to.is_differential || to.multiple > 1) return;
-  const MatrixXd turn = (to.multiple == 0 ? axes_.T.mean
-                         : to.is_sine     ? MatrixXd(axes_.T.sine.transpose())
-                                          : axes_.T.cosine) *
-                        motion_;
+  const Turning& T = hub_of(family).axes.T;
+  const MatrixXd turn = (to.multiple == 0 ? T.mean
+                         : to.is_sine     ? MatrixXd(T.sine.transpose())
+                                          : T.cosine) *
+                        hub_of(family).motion;
   const SecondOrder& by = outputs.by_hub;
   add_hub_rows(row, {by.M * turn, by.C * turn, by.K * turn});
 }
 
 void MultiBladeAssembly::add_blade_outputs(std::size_t family) {
-  const BladeOutputs outputs = find_outputs(frame_.families[family], all_, axes_, result_.left_out);
+  const BladeOutputs outputs =
+      find_outputs(frame_.families[family], all_, hub_of(family).axes, result_.left_out);
   for (const Amplitude& to : amplitudes_[family]) add_pattern_outputs(family, outputs, to);
 }
 
@@ -345,15 +360,16 @@ void MultiBladeAssembly::add_support_outputs() {
   }
 }
 
-/// Adds the motion of the hub along standing axes.
+/// Adds the motion of each hub along standing axes.
 void MultiBladeAssembly::add_hub_outputs() {
-  for (const int c : all_.model.free_components()) {
-    const LinearSignal moved = name_hub_motion(c, all_.model);
-    C_.add(std::ssize(result_.outputs), 0, motion_.row(c));
-    add_output(moved);
-    C_.add(std::ssize(result_.outputs), size_, motion_.row(c));
-    add_output(steady::rate_of(moved));
-  }
+  for (std::size_t h = 0; h < hubs_.size(); ++h)
+    for (const int c : all_.model.free_components()) {
+      const LinearSignal moved = name_hub_motion(h, c, all_.model);
+      C_.add(std::ssize(result_.outputs), 0, hubs_[h].motion.row(c));
+      add_output(moved);
+      C_.add(std::ssize(result_.outputs), size_, hubs_[h].motion.row(c));
+      add_output(steady::rate_of(moved));
+    }
 }
 
 LinearSystem MultiBladeAssembly::make() {

@@ -1,5 +1,7 @@
 // Takes a scenario to its state-space matrices: equilibrium, linearisation, frame.
 
+#include <algorithm>
+
 #include "engine/linearize.h"
 #include "engine/small_motions/steady/describe_equilibrium.h"
 #include "engine/small_motions/steady/linear_support.h"
@@ -15,13 +17,15 @@
 namespace spoke {
 namespace {
 
-ModeFrame choose_frame(const Scenario& scenario, double speed, std::optional<ModeFrame> asked) {
+ModeFrame choose_frame(const Scenario& scenario, const std::vector<double>& speeds,
+                       std::optional<ModeFrame> asked) {
   if (asked == ModeFrame::floquet)
     throw InputError(
         "in the frame \"floquet\" matrices are not constant, expected \"turning\" or \"fixed\"");
   if (asked) return *asked;
   const bool is_supported = scenario.space && scenario.space->support;
-  return is_supported && speed != 0.0 ? ModeFrame::fixed : ModeFrame::turning;
+  const bool turns = std::any_of(speeds.begin(), speeds.end(), [](double w) { return w != 0.0; });
+  return is_supported && turns ? ModeFrame::fixed : ModeFrame::turning;
 }
 
 }  // namespace
@@ -30,12 +34,10 @@ LinearSystem solve_linear_system(const Scenario& scenario, const SteadyState& st
                                  std::optional<ModeFrame> asked) {
   check_scenario(scenario);
   steady::refuse_relaxation(scenario);
-  steady::require_one_rotor(scenario,
-                            "a linear model of several is not built; modes and runs have them");
-  const double speed = steady::find_steady_speeds(scenario, state).front();
-  const bool is_fixed = choose_frame(scenario, speed, asked) == ModeFrame::fixed;
+  const std::vector<double> speeds = steady::find_steady_speeds(scenario, state);
+  const bool is_fixed = choose_frame(scenario, speeds, asked) == ModeFrame::fixed;
   const std::unique_ptr<steady::SteadyModel> model = steady::make_steady_model(
-      scenario, {.speed = speed, .is_axial = is_fixed, .has_outputs = true});
+      scenario, steady::at_speeds(speeds, {.is_axial = is_fixed, .has_outputs = true}));
   const steady::Equilibrium equilibrium = steady::find_machine_equilibrium(*model);
   steady::require_steady_machine(*model, equilibrium);
   LinearSystem system;

@@ -12,9 +12,9 @@
 
 using nlohmann::json;
 
-TEST_CASE("static and modes take several rotors, each at its own speed") {
-  const WorkFolder folder;
-  folder.write("two.toml", R"(world = "space"
+namespace {
+
+const char* const kTwoRotors = R"(world = "space"
 [integration]
 duration = 1.0
 [support]
@@ -53,7 +53,13 @@ axle = { body = "frame", offset = [-2.0, 0.0, 0.0] }
 rotor = "tail"
 frame = "inertial"
 force = [0.0, 0.0, 45.0]
-)");
+)";
+
+}  // namespace
+
+TEST_CASE("static and modes take several rotors, each at its own speed") {
+  const WorkFolder folder;
+  folder.write("two.toml", kTwoRotors);
   const Ended still = run_spoke(
       {"static", "two.toml", "--speed", "20", "--speed", "tail=-80", "--out", "s"}, folder);
   CHECK(still.status == 0);
@@ -91,4 +97,25 @@ force = [0.0, 0.0, 45.0]
   refused({"tail="}, "--speed: expected a number from -1e30 to 1e30 [rad/s], got \"tail=\"");
   refused({"=4"}, "--speed: expected NAME=RAD_PER_S, got =4");
   refused({"3", "main=4"}, "a speed without a name and one for \"main\" are given");
+}
+
+TEST_CASE("linearize names signals of several rotors by theirs") {
+  const WorkFolder folder;
+  folder.write("two.toml", kTwoRotors);
+  const Ended ended =
+      run_spoke({"linearize", "two.toml", "--speed", "tail=-80", "--out", "l"}, folder);
+  CHECK(ended.status == 0);
+  CHECK(ended.out.find("main 30, tail -80 rad/s") != std::string::npos);
+  const json all = json::parse(file_text(folder.path() / "l" / "linear.json"));
+  CHECK(all["frame"] == "fixed");
+  CHECK(all["rotors"][1] == json({{"name", "tail"}, {"speed_rad_per_s", -80.0}}));
+  const auto has = [&](const char* list, const std::string& name) {
+    return std::any_of(all[list].begin(), all[list].end(),
+                       [&](const json& signal) { return signal["name"] == name; });
+  };
+  CHECK(has("inputs", "hub / force x"));
+  CHECK(has("inputs", "tail.hub / force x"));
+  CHECK(has("inputs", "tail.hub / hub_load.1"));
+  CHECK(has("outputs", "rate of tail.hub / angle"));
+  CHECK(has("outputs", "blades 1 to 3 / tip.z cosine"));
 }

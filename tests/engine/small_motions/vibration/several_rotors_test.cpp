@@ -10,69 +10,25 @@
 #include "engine/campbell.h"
 #include "engine/critical.h"
 #include "engine/equilibrium.h"
-#include "engine/linearize.h"
 #include "engine/modes.h"
-#include "engine/performance.h"
 #include "engine/simulation.h"
 #include "engine/small_motions/vibration/frequency_limits.h"
 #include "models/scenario.h"
+#include "tests/engine/small_motions/vibration/rotors_on_carrier.h"
 #include "tests/message_of.h"
 
 namespace spoke {
 namespace {
 
 using doctest::Approx;
+using test::kSprings;
 using test::message_of;
+using test::RotorText;
 
-/// A rotor of a scenario: its table, or those of the only one.
-struct RotorText {
-  std::string name = {};  ///< empty: it is the only one
-  double speed = 0.0;
-  std::string place = "[0, 0, 0]";  ///< on the carrier
-  std::string hub = "mass = 2.0, inertia = 0.3";
-  int blades = 0;
-  std::string drive = {};                           ///< in place of a constant speed
-  double mass_factor = 1.0;                         ///< of blades
-  std::string size = "bodies = 2\nelements = 2\n";  ///< of blades
-
-  std::string text() const {
-    const std::string of = name.empty() ? "" : "rotor.";
-    const std::string turns =
-        drive.empty() ? "{ kind = \"constant\", speed = " + std::to_string(speed) + " }" : drive;
-    const std::string own = hub + ", radius = 0.1, drive = " + turns;
-    const std::string on = "body = \"carrier\", offset = " + place;
-    std::string all = name.empty() ? "[hub]\n" : "[[rotor]]\nname = \"" + name + "\"\n";
-    if (name.empty()) {
-      all = "hub = { " + own + " }\n";
-    } else {
-      all += "hub = { " + own + " }\naxle = { " + on + " }\n";
-    }
-    if (blades == 0) return all;
-    const auto scaled = [&](double value) { return std::to_string(mass_factor * value) + "\n"; };
-    return all + "[" + of + "blade]\ncount = " + std::to_string(blades) + "\nlength = 2.0\n" +
-           size + "[" + of + "blade.sections]\nmass_per_length = " + scaled(2.0) +
-           "axial_stiffness = " + scaled(2e6) + "flap_stiffness = " + scaled(2e3) +
-           "lag_stiffness = " + scaled(2e4) + "torsion_stiffness = " + scaled(2e3);
-  }
-};
-
-/// A rigid carrier of mass 20 on a joint from the ground, given by its keys, with rotors.
 Scenario make(const std::string& joint, const std::vector<RotorText>& rotors,
-              const std::string& more = "", const std::string& center = "[0, 0, 0]") {
-  std::string text = "world = \"space\"\n";
-  const bool is_one = rotors.front().name.empty();
-  if (is_one) text += rotors.front().text();
-  text +=
-      "[integration]\nduration = 1.0\n[support]\nfrom = \"ground\"\n[[support.body]]\nname = "
-      "\"carrier\"\nkind = \"rigid\"\nmass = 20.0\ninertia = 5.0\ncenter = " +
-      center + "\n[[support.joint]]\nname = \"foot\"\nchild = \"carrier\"\n" + joint + "\n";
-  if (is_one) text += "[support.axle]\nbody = \"carrier\"\noffset = " + rotors.front().place + "\n";
-  if (!is_one)
-    for (const RotorText& rotor : rotors) text += rotor.text();
-  return parse_scenario(text + more, "rotors.toml");
+              const std::string& more = "") {
+  return test::make_on_carrier(joint, rotors, more);
 }
-
-const std::string kSprings = "kind = \"bushing\"\nstiffness = [2e5, 3e5, 4e5, 2e4, 3e4, 4e4]";
 
 std::vector<double> frequencies_of(const std::vector<Mode>& modes) {
   std::vector<double> list;
@@ -382,13 +338,6 @@ TEST_CASE("several rotors: those that are equal set the limits of one, and of wh
   CHECK(two.lowest == Approx(one.lowest).epsilon(1e-9));
   CHECK(two.highest == Approx(one.highest).epsilon(1e-9));
   CHECK(two.rk4.step == Approx(one.rk4.step).epsilon(1e-9));
-}
-
-TEST_CASE("several rotors: linear models and performance are of one") {
-  const Scenario scenario = make_coaxial(60.0, -30.0);
-  CHECK(message_of([&] { solve_linear_system(scenario); }) ==
-        "rotor: there are 2, expected one: a linear model of several is not built; modes and runs "
-        "have them");
 }
 
 }  // namespace spoke
