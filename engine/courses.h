@@ -18,6 +18,12 @@
 
 namespace spoke {
 
+/// The drive of a rotor on a support besides the first.
+struct RotorDrive {
+  std::string rotor;  ///< its name
+  Drive drive{};
+};
+
 /// A factor of all loads of one name in a scenario.
 struct LoadFactor {
   std::string load;     ///< name of the loads
@@ -58,12 +64,13 @@ struct AnchorCourse {
 /// What is in force beside a state, and a program can set: a saved state has nothing of it. (Loads
 /// of the program's own, which Simulation::set_load() replaces, are not among it.)
 struct Courses {
-  Drive drive{};                        ///< of the hub
+  Drive drive{};                        ///< of the hub, of several rotors of the first
   std::vector<JointCourse> joints{};    ///< of coordinates that the scenario leaves to the program
   std::vector<LoadFactor> loads{};      ///< of loads with a name
   std::optional<WindCourse> wind{};     ///< at the hub; none: the scenario's wind blows
   std::vector<AnchorCourse> anchors{};  ///< of anchors that the scenario leaves to the program
   std::vector<JointTorque> torques{};   ///< that the program adds; of all others it is 0
+  std::vector<RotorDrive> rotors{};     ///< drives of further rotors on a support
 };
 
 /// Multiplies the loads of a name, point loads, distributed ones, drags and loads on the hub, by a
@@ -103,17 +110,17 @@ SPOKE_EXPORT Eigen::Vector3d wind_at_hub(const Simulation& simulation);
 /// acts on its model, or set_wind() would refuse it for its shear.
 SPOKE_EXPORT std::optional<Eigen::Vector3d> find_mean_wind(const Scenario& scenario);
 
-/// Returns all courses in force: the drive, each coordinate and each anchor that the scenario
+/// Returns all courses in force: the drives, each coordinate and each anchor that the scenario
 /// leaves to the program, the factor of each load with a name, the wind, torques on joints. Taken
 /// with Simulation::save(), they are what restore() goes back with.
 SPOKE_EXPORT Courses courses(const Simulation& simulation);
 
 /// Goes to a saved state as Simulation::restore() does, together with the courses that were in
-/// force when it was saved: these need not go on from those in force now. Coordinates, anchors and
-/// loads that `courses` does not name keep theirs, but for torques on joints, which end. The
-/// following steps have the bits of the run that was saved. Throws InputError like restore(), or if
-/// a joint, anchor or load is not there, or if the drive is of another kind of motion than the one
-/// in force; the simulation then stays as it is.
+/// force when it was saved: these need not go on from those in force now. Rotors, coordinates,
+/// anchors and loads that `courses` does not name keep theirs, but for torques on joints, which
+/// end. The following steps have the bits of the run that was saved. Throws InputError like
+/// restore(), or if a rotor, joint, anchor or load is not there, or if a drive is of another kind
+/// of motion than the one in force; the simulation then stays as it is.
 SPOKE_EXPORT void restore(Simulation& simulation, const SavedState& state, const Courses& courses);
 
 }  // namespace spoke

@@ -256,13 +256,14 @@ class SPOKE_EXPORT Simulation {
   // restore() leaves them as they are: to go back with those that were in force, take courses() of
   // engine/courses.h with save(), and give both to the restore() there.
 
-  /// Returns the drive in force.
-  const Drive& drive() const;
-  /// Replaces the drive. The new one must prescribe the rotation of the hub if and only if the
-  /// present one does, and must then go on from angle and speed of the hub (to 1e-9 rad and rad/s).
-  /// Throws InputError; StateError after a step that failed; LoadError or DivergenceError if there
-  /// is no acceleration with it. The simulation then stays as it is.
-  void set_drive(const Drive& drive);
+  /// Returns the drive in force, of several rotors that of the one by this name; of the first
+  /// without a name. Throws InputError, with the nearest name, if there is no such rotor.
+  const Drive& drive(std::string_view rotor = {}) const;
+  /// Replaces the drive, likewise. The new one must prescribe the rotation of the hub if and only
+  /// if the present one does, and must then go on from angle and speed of the hub (to 1e-9 rad and
+  /// rad/s). Throws InputError; StateError after a step that failed; LoadError or DivergenceError
+  /// if there is no acceleration with it. The simulation then stays as it is.
+  void set_drive(const Drive& drive, std::string_view rotor = {});
   /// Returns the number of the joint of that name on a blade or subsystem, counted from 0 in the
   /// order of Scenario::space, for programs that use it often. Throws InputError if there is none.
   int joint_index(int tree, std::string_view name) const;

@@ -1,10 +1,14 @@
 // Changes between steps of a simulation: the drive, the motion of a joint or an anchor.
 
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "engine/simulation/jumps.h"
 #include "engine/simulation/simulation_core.h"
 #include "models/error.h"
+#include "models/support/nearest_name.h"
 
 namespace spoke {
 
@@ -37,9 +41,22 @@ void SimulationCore::set_anchor_motion(std::string_view name, const SaidAnchorMo
   log_jumps();
 }
 
-void SimulationCore::set_drive(const Drive& next) {
-  replace(model->drive(), next);
-  replace_jumps_of(next);
+int SimulationCore::find_rotor(std::string_view name) const {
+  if (name.empty()) return 0;
+  if (!scenario.space || scenario.space->hub.name.empty())
+    throw InputError("a drive is of the rotor \"" + std::string(name) +
+                     "\", expected no name: there is no [[rotor]]");
+  std::vector<std::string_view> names;
+  for (int r = 0; r < count_rotors(*scenario.space); ++r) {
+    names.push_back(hub_of(*scenario.space, r).name);
+    if (names.back() == name) return r;
+  }
+  throw InputError("the rotor of a drive " + describe_unknown(std::string(name), names));
+}
+
+void SimulationCore::set_drive(const Drive& next, int rotor) {
+  replace(model->drive(rotor), next);
+  replace_jumps_of(next, rotor);
   log_jumps();
 }
 
@@ -54,9 +71,9 @@ void SimulationCore::put_anchor_motion(std::string_view name,
   replace_jumps_of(name, course);
 }
 
-void SimulationCore::put_drive(const Drive& next) {
-  model->drive() = next;
-  replace_jumps_of(next);
+void SimulationCore::put_drive(const Drive& next, int rotor) {
+  model->drive(rotor) = next;
+  replace_jumps_of(next, rotor);
 }
 
 void SimulationCore::replace_jumps_of(const JointPlace& place, const space::DrivenMotion& course) {
@@ -78,9 +95,10 @@ void SimulationCore::replace_jumps_of(std::string_view anchor,
   replace_jumps(describe_anchor(anchor), now(), std::move(next), jumps);
 }
 
-void SimulationCore::replace_jumps_of(const Drive& drive) {
+void SimulationCore::replace_jumps_of(const Drive& drive, int rotor) {
   const double end = scenario.integration.duration;
-  replace_jumps(kDriveSource, now(), find_drive_jumps(drive, now(), end, step_size), jumps);
+  const std::string source = describe_drive(scenario, rotor);
+  replace_jumps(source, now(), find_drive_jumps(drive, source, now(), end, step_size), jumps);
 }
 
 void SimulationCore::log_jumps() {

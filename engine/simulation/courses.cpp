@@ -211,13 +211,22 @@ std::shared_ptr<const WindField> scenario_wind(const std::shared_ptr<const WindF
   return set ? set->replaced() : in_force;
 }
 
+/// Throws InputError unless a drive could be put in force.
+void require_drive(SimulationCore& core, const Drive& drive, int rotor) {
+  check_drive(drive);
+  if (prescribes_motion(drive) != prescribes_motion(core.model->drive(rotor)))
+    throw InputError((rotor == 0
+                          ? "hub.drive"
+                          : "the drive of \"" + hub_of(*core.scenario.space, rotor).name + '"') +
+                     ": the drive to go back to and the one in force do not both "
+                     "prescribe the rotation of the hub, expected two of one kind");
+}
+
 /// Throws InputError unless all courses could be put in force.
 void require_courses(SimulationCore& core, const Courses& courses) {
-  check_drive(courses.drive);
-  if (prescribes_motion(courses.drive) != prescribes_motion(core.model->drive()))
-    throw InputError(
-        "hub.drive: the drive to go back to and the one in force do not both "
-        "prescribe the rotation of the hub, expected two of one kind");
+  require_drive(core, courses.drive, 0);
+  for (const RotorDrive& of : courses.rotors)
+    require_drive(core, of.drive, core.find_rotor(of.rotor));
   for (const JointCourse& joint : courses.joints) {
     core.joints("the motion of a joint").said_motion(place_of(joint));
     const CoordinateMotion& motion = joint.motion;
@@ -309,7 +318,10 @@ std::optional<Eigen::Vector3d> find_mean_wind(const Scenario& scenario) {
 Courses courses(const Simulation& simulation) {
   SimulationCore& core = core_of(const_cast<Simulation&>(simulation));  // changes nothing
   Courses found;
-  found.drive = core.model->drive();
+  found.drive = core.model->drive(0);
+  if (core.scenario.space)
+    for (int r = 1; r < count_rotors(*core.scenario.space); ++r)
+      found.rotors.push_back({hub_of(*core.scenario.space, r).name, core.model->drive(r)});
   if (SpatialJoints* joints = core.model->joints())
     for (const JointPlace& place : joints->said())
       found.joints.push_back(course_of(place, joints->said_motion(place)));
@@ -330,7 +342,8 @@ void restore(Simulation& simulation, const SavedState& state, const Courses& cou
   SimulationCore& core = core_of(simulation);
   require_courses(core, courses);
   core.restore(state);  // changes nothing if it throws; nothing below does
-  core.put_drive(courses.drive);
+  core.put_drive(courses.drive, 0);
+  for (const RotorDrive& of : courses.rotors) core.put_drive(of.drive, core.find_rotor(of.rotor));
   for (const JointCourse& joint : courses.joints)
     core.put_joint_motion(place_of(joint), motion_of(joint));
   for (const AnchorCourse& anchor : courses.anchors)

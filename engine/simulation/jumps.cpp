@@ -13,6 +13,7 @@
 namespace spoke {
 namespace {
 
+constexpr const char* kFirstDrive = "the drive";
 constexpr double kNotable = 0.01;  ///< least notable change, by the largest change
 
 /// Returns the magnitude of the mean rate of a curve between two times.
@@ -185,12 +186,18 @@ std::vector<Jump> find_course_jumps(const Curve& course, const std::string& name
   return jumps;
 }
 
-std::vector<Jump> find_drive_jumps(const Drive& drive, double begin, double end, double step_size) {
+std::string describe_drive(const Scenario& scenario, int rotor) {
+  return rotor == 0 ? kFirstDrive
+                    : kFirstDrive + (" of \"" + hub_of(*scenario.space, rotor).name + '"');
+}
+
+std::vector<Jump> find_drive_jumps(const Drive& drive, const std::string& name, double begin,
+                                   double end, double step_size) {
   assert(step_size > 0.0);
   std::vector<Jump> jumps;
   for (const Change& change : find_drive_changes(drive, begin, end, step_size))
-    jumps.push_back({change.time, change.duration, kDriveSource,
-                     describe("the drive changes the speed", change.size, "rad/s")});
+    jumps.push_back({change.time, change.duration, name,
+                     describe(name + " changes the speed", change.size, "rad/s")});
   return jumps;
 }
 
@@ -208,7 +215,14 @@ std::vector<Jump> find_anchor_jumps(std::string_view name, const spatial::MountM
 
 std::vector<Jump> find_jumps(const Scenario& scenario, double step_size) {
   const double end = scenario.integration.duration;
-  std::vector<Jump> jumps = find_drive_jumps(drive_of(scenario), 0.0, end, step_size);
+  std::vector<Jump> jumps;
+  const auto add_drive = [&](const Drive& drive, int rotor) {
+    append(find_drive_jumps(drive, describe_drive(scenario, rotor), 0.0, end, step_size), jumps);
+  };
+  add_drive(drive_of(scenario), 0);
+  if (scenario.space)
+    for (int r = 1; r < count_rotors(*scenario.space); ++r)
+      add_drive(hub_of(*scenario.space, r).drive, r);
   if (scenario.space)
     add_spatial_jumps(*scenario.space, end, step_size, jumps);
   else
@@ -231,7 +245,7 @@ std::string blame_jump(const std::vector<Jump>& jumps, double t, double step_siz
   const auto near = std::find_if(jumps.begin(), jumps.end(), is_near);
   if (near == jumps.end()) return {};
   std::ostringstream text;
-  text << (near->source == kDriveSource ? "the drive's speed jumps" : near->text)
+  text << (near->source == kFirstDrive ? "the drive's speed jumps" : near->text)
        << " at t = " << near->time << " s, " << advise_on_jump(*near, step_size);
   return text.str();
 }

@@ -21,17 +21,19 @@ struct Jump {
   double time = 0.0;      ///< at which it begins [s]
   double duration = 0.0;  ///< [s]
   std::string
-      source{};  ///< kDriveSource, or the name of the joint, the mount or the anchor that jumps
+      source{};  ///< describe_drive(), or the name of the joint, the mount or the anchor that jumps
   std::string text{};  ///< with its size: "the drive changes the speed by 4 rad/s"
 };
-inline constexpr const char* kDriveSource = "the drive";
+/// Returns the drive of a rotor in words: "the drive", of a further one "the drive of "tail"".
+std::string describe_drive(const Scenario& scenario, int rotor);
 
 /// Returns the jumps of all motions that a scenario prescribes, in order of time; at equal times
-/// those of the drive come first.
+/// those of drives come first.
 std::vector<Jump> find_jumps(const Scenario& scenario, double step_size);
 
-/// Returns the jumps of a drive between `begin` and `end` [s].
-std::vector<Jump> find_drive_jumps(const Drive& drive, double begin, double end, double step_size);
+/// Returns the jumps of a drive, which describe_drive() names, between `begin` and `end` [s].
+std::vector<Jump> find_drive_jumps(const Drive& drive, const std::string& name, double begin,
+                                   double end, double step_size);
 /// Returns the jumps of a coordinate that follows a curve, between `begin` and `end` [s]. `unit`:
 /// "rad" or "m"; `name`: the coordinate in words.
 std::vector<Jump> find_course_jumps(const Curve& course, const std::string& name,

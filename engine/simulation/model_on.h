@@ -119,9 +119,9 @@ class ModelOn final : public SimulatedModel {
     return subsystem >= 0 && subsystem < std::ssize(subsystems) && row >= 0 &&
            row < subsystems[static_cast<std::size_t>(subsystem)].loop_rows();
   }
-  Drive& drive() override { return drive_of(context_->system); }
+  Drive& drive(int rotor) override { return drive_of(context_->system, rotor); }
   void begin_drive(const Drive& other) override {
-    drive() = other;
+    drive(0) = other;
     put_hub_at_start(*context_);
   }
   std::shared_ptr<const Load>& replaceable_load(int index,

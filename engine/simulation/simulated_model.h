@@ -75,8 +75,10 @@ class SimulatedModel {
   virtual bool has_body(std::int64_t subsystem, std::int64_t body) const = 0;
   /// Whether there is such a row of a loop, counted from 0 through all loops of the subsystem.
   virtual bool has_loop_row(std::int64_t subsystem, std::int64_t row) const = 0;
-  virtual Drive& drive() = 0;
-  /// Replaces the drive by another one of the same kind, and puts the hub where that begins.
+  /// Returns the drive of a rotor, by its number.
+  virtual Drive& drive(int rotor) = 0;
+  /// Replaces the drive of the first rotor by another one of the same kind, and puts the hub where
+  /// that begins.
   /// Precondition: t = 0.
   virtual void begin_drive(const Drive& drive) = 0;
   /// Returns the place of load number `index` of those given, which `other` may replace. Throws

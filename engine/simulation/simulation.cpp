@@ -118,14 +118,16 @@ StepAccuracy Simulation::step_accuracy() const {
   return make_accuracy(core_->scenario, core_->step_size, core_->seen);
 }
 
-const Drive& Simulation::drive() const { return core_->model->drive(); }
+const Drive& Simulation::drive(std::string_view rotor) const {
+  return core_->model->drive(core_->find_rotor(rotor));
+}
 
-void Simulation::set_drive(const Drive& drive) {
+void Simulation::set_drive(const Drive& drive, std::string_view rotor) {
+  const int number = core_->find_rotor(rotor);
   core_->require_state("go on from with another drive");
   check_drive(drive);
-  Drive& in_force = core_->model->drive();
-  check_continuation(in_force, drive, time());
-  core_->set_drive(drive);
+  check_continuation(core_->model->drive(number), drive, time());
+  core_->set_drive(drive, number);
 }
 
 int Simulation::joint_index(int tree, std::string_view name) const {

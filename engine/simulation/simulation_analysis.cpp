@@ -22,6 +22,9 @@ EquilibriumResult solve_equilibrium(const Simulation& simulation, const SteadySt
   Scenario scenario = simulation.scenario();
   Drive& drive = scenario.space ? scenario.space->hub.drive : scenario.rotor.hub.drive;
   drive = simulation.drive();
+  if (scenario.space)
+    for (spatial::Rotor& rotor : scenario.space->rotors)
+      rotor.hub.drive = simulation.drive(rotor.hub.name);
   return solve_equilibrium(scenario, state);
 }
 

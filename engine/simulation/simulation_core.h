@@ -79,13 +79,16 @@ class SimulationCore {
   /// Replaces the course of an anchor that the program prescribes by one that begins with `begin`.
   void set_anchor_motion(std::string_view name, const SaidAnchorMotion& begin,
                          const decltype(AnchorModel::motion)& course);
-  /// Replaces the drive.
-  void set_drive(const Drive& next);
+  /// Returns the number of the rotor by this name; 0 without a name. Throws InputError if there is
+  /// none.
+  int find_rotor(std::string_view name) const;
+  /// Replaces the drive of a rotor.
+  void set_drive(const Drive& next, int rotor);
   // These put courses in force beside a state that was restored: they need not go on from those in
   // force, and nothing is evaluated.
   void put_joint_motion(const JointPlace& place, const space::DrivenMotion& course);
   void put_anchor_motion(std::string_view name, const decltype(AnchorModel::motion)& course);
-  void put_drive(const Drive& next);
+  void put_drive(const Drive& next, int rotor);
   /// Returns the joints of a model in space. Throws InputError, which refuses `what`, if the model
   /// is in the plane.
   SpatialJoints& joints(const char* what) const;
@@ -147,7 +150,7 @@ class SimulationCore {
   double now() const { return static_cast<double>(runner->steps()) * step_size; }
   void replace_jumps_of(const JointPlace& place, const space::DrivenMotion& course);
   void replace_jumps_of(std::string_view anchor, const decltype(AnchorModel::motion)& course);
-  void replace_jumps_of(const Drive& drive);
+  void replace_jumps_of(const Drive& drive, int rotor);
   void log_jumps();
   void evaluate_again();
   void require_kept_declarations();

@@ -2,6 +2,8 @@
 
 // Makes the constants that the engine works on out of the description of a model in space.
 
+#include <cassert>
+
 #include "models/space/body.h"
 #include "models/space/hub.h"
 #include "models/space/space.h"
@@ -44,7 +46,9 @@ const Drive& drive_of(const System<Space>& system, int rotor = 0);
 /// Returns whether that drive prescribes the rotation of the rotor's hub: none behind a drive train
 /// does.
 bool is_hub_prescribed(const System<Space>& system, int rotor = 0);
-inline Drive& drive_of(System<Plane>& system) { return system.hub.drive; }
-inline const Drive& drive_of(const System<Plane>& system) { return system.hub.drive; }
+inline Drive& drive_of(System<Plane>& system, [[maybe_unused]] int rotor = 0) {
+  assert(rotor == 0);
+  return system.hub.drive;
+}
 
 }  // namespace spoke

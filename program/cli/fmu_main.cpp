@@ -21,6 +21,7 @@ needs: importers need no Spoke.
 Inputs, each held over a communication step; all that the model has, unless named:
   drive.torque                   torque on a hub that turns freely, in place of the scenario's
   drive.speed                    speed of a hub that is driven, reached at the end of the step
+  ROTOR.drive.torque, .speed     the same of further rotors
   load.NAME                      factor of the loads of that name
   wind.x, wind.y, wind.z         velocity of the wind at the hub, inertial frame, reached at the end of the
                                  step; the scenario's shear stays

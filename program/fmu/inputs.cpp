@@ -4,6 +4,7 @@
 #include "program/fmu/inputs.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -23,42 +24,71 @@ bool is_there(double speed, double target) {
   return std::abs(speed - target) <= 1e-12 * (1.0 + std::abs(target));
 }
 
-class TorqueInput final : public Input {
+/// Sets the drive of a rotor.
+class DriveInput : public Input {
  public:
-  explicit TorqueInput(const Drive& drive)
-      : Input({"drive.torque", "N m", "Torque of the drive on the hub",
-               calc_torque(drive, 0.0, calc_initial_speed(drive)), true, "drive"}) {}
-
-  void begin(const Simulation& simulation, Courses& courses) const override {
-    courses.drive = simulation.drive();
+  void begin(const Simulation& simulation, Courses& courses) const final {
+    if (rotor_.empty())
+      courses.drive = simulation.drive();
+    else
+      courses.rotors.push_back({rotor_, simulation.drive(rotor_)});
   }
+
+ protected:
+  /// `rotor`: its name; empty: the first.
+  DriveInput(const std::string& rotor, Signal signal)
+      : Input(for_rotor(rotor, std::move(signal))), rotor_(rotor) {}
+
+  Drive& in_force(Courses& courses) const {
+    if (rotor_.empty()) return courses.drive;
+    const auto own = std::find_if(courses.rotors.begin(), courses.rotors.end(),
+                                  [this](const RotorDrive& of) { return of.rotor == rotor_; });
+    assert(own != courses.rotors.end());
+    return own->drive;
+  }
+  void set(const Drive& next, Simulation& simulation, Courses& courses) const {
+    simulation.set_drive(next, rotor_);
+    in_force(courses) = next;
+  }
+
+ private:
+  static Signal for_rotor(const std::string& rotor, Signal signal) {
+    if (rotor.empty()) return signal;
+    signal.name = rotor + '.' + signal.name;
+    signal.description += ", rotor \"" + rotor + '"';
+    signal.subject = rotor + '.' + signal.subject;
+    return signal;
+  }
+
+  const std::string rotor_;
+};
+
+class TorqueInput final : public DriveInput {
+ public:
+  TorqueInput(const std::string& rotor, const Drive& drive)
+      : DriveInput(rotor, {"drive.torque", "N m", "Torque of the drive on the hub",
+                           calc_torque(drive, 0.0, calc_initial_speed(drive)), true, "drive"}) {}
+
   void apply(double value, double, Simulation& simulation, Courses& courses) const override {
-    const auto* torque = std::get_if<TorqueDrive>(&courses.drive);
+    const auto* torque = std::get_if<TorqueDrive>(&in_force(courses));
     if (torque && torque->torque.values() == std::vector{value}) return;
-    const Drive next = TorqueDrive{Curve(value), calc_initial_speed(courses.drive)};
-    simulation.set_drive(next);
-    courses.drive = next;
+    set(TorqueDrive{Curve(value), calc_initial_speed(in_force(courses))}, simulation, courses);
   }
 };
 
-class SpeedInput final : public Input {
+class SpeedInput final : public DriveInput {
  public:
-  explicit SpeedInput(const Drive& drive)
-      : Input({"drive.speed", "rad/s",
-               "Speed that the hub reaches at the end of a communication step",
-               calc_motion(drive, 0.0).speed, true, "drive"}) {}
+  SpeedInput(const std::string& rotor, const Drive& drive)
+      : DriveInput(rotor, {"drive.speed", "rad/s",
+                           "Speed that the hub reaches at the end of a communication step",
+                           calc_motion(drive, 0.0).speed, true, "drive"}) {}
 
-  void begin(const Simulation& simulation, Courses& courses) const override {
-    courses.drive = simulation.drive();
-  }
   void apply(double value, double step, Simulation& simulation, Courses& courses) const override {
     const double t = simulation.time();
-    const DriveMotion now = calc_motion(courses.drive, t);
+    const DriveMotion now = calc_motion(in_force(courses), t);
     if (now.speed == value && now.acceleration == 0.0) return;
     const double speed = is_there(now.speed, value) ? value : now.speed;
-    const Drive next = SpeedTable{speed_course(t, now.angle, speed, value, step)};
-    simulation.set_drive(next);
-    courses.drive = next;
+    set(SpeedTable{speed_course(t, now.angle, speed, value, step)}, simulation, courses);
   }
 };
 
@@ -288,11 +318,17 @@ Input::Input(Signal signal)
 Inputs possible_inputs(const Simulation& simulation) {
   Inputs inputs;
   const Scenario& scenario = simulation.scenario();
-  const Drive& drive = simulation.drive();
-  if (prescribes_motion(drive))
-    inputs.push_back(std::make_unique<SpeedInput>(drive));
-  else if (!scenario.space || !is_free(scenario))  // in space a free hub has no drive
-    inputs.push_back(std::make_unique<TorqueInput>(drive));
+  const auto add_drive = [&](const std::string& rotor) {
+    const Drive& drive = simulation.drive(rotor);
+    if (prescribes_motion(drive))
+      inputs.push_back(std::make_unique<SpeedInput>(rotor, drive));
+    else if (!scenario.space || !is_free(scenario))  // in space a free hub has no drive
+      inputs.push_back(std::make_unique<TorqueInput>(rotor, drive));
+  };
+  add_drive("");
+  if (scenario.space)
+    for (const spatial::Rotor& rotor : scenario.space->rotors)
+      if (!std::holds_alternative<FixedDrive>(rotor.hub.drive)) add_drive(rotor.hub.name);
   for (const std::string& load : load_names(scenario))
     inputs.push_back(std::make_unique<LoadInput>(load));
   if (const std::optional<Eigen::Vector3d> mean = find_mean_wind(scenario))

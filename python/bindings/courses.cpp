@@ -16,6 +16,12 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 
+py::dict rotors_of(const Courses& courses) {
+  py::dict rotors;
+  for (const RotorDrive& of : courses.rotors) rotors[py::str(of.rotor)] = of.drive;
+  return rotors;
+}
+
 py::dict loads_of(const Courses& courses) {
   py::dict loads;
   for (const LoadFactor& load : courses.loads) loads[py::str(load.load)] = load.factor;
@@ -62,6 +68,8 @@ void bind_courses(py::module_& module) {
                       "Simulation.restore().")
       .def_property_readonly(
           "drive", [](const Courses& courses) { return courses.drive; }, "What moves the hub.")
+      .def_property_readonly("rotors", &rotors_of,
+                             "What moves the hubs of further rotors on a support, by their names.")
       .def_property_readonly("joints", &joints_of,
                              "Of coordinates that the scenario leaves to the program: dictionaries "
                              "with tree, joint and coordinate, motion, which holds from begin [s] "
@@ -83,7 +91,7 @@ void bind_courses(py::module_& module) {
         return courses(simulation);
       },
       "simulation"_a,
-      "The courses in force: the drive, joints and anchors that the scenario leaves to the "
+      "The courses in force: drives, joints and anchors that the scenario leaves to the "
       "program, "
       "factors of loads, the wind at the hub, torques on joints. Taken with Simulation.save(), "
       "they are what "

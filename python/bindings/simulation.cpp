@@ -193,10 +193,16 @@ void bind_steps(Class& simulation) {
            "bits of the run that was saved; without, it goes on with those in force now. Raises "
            "InputError if the state is of another model.")
       .def_property_readonly(
-          "drive", [](const UsedSimulation& s) { return Drive(s.drive()); }, "What moves the hub.")
-      .def("set_drive", alone(&Simulation::set_drive), "drive"_a,
-           "Replaces what moves the hub from the next step on. A new drive must go on from the "
-           "hub's angle and speed, and prescribe the rotation if and only if the present one does.")
+          "drive", [](const UsedSimulation& s) { return Drive(s.drive()); },
+          "What moves the hub, of several rotors that of the first.")
+      .def(
+          "drive_of",
+          [](const UsedSimulation& s, const std::string& rotor) { return Drive(s.drive(rotor)); },
+          "rotor"_a, "What moves the hub of a rotor on a support, by its name.")
+      .def("set_drive", alone(&Simulation::set_drive), "drive"_a, "rotor"_a = "",
+           "Replaces what moves the hub, of several rotors that of the one by this name or the "
+           "first, from the next step on. A new drive must go on from the hub's angle and speed, "
+           "and prescribe the rotation if and only if the present one does.")
       .def(
           "set_load_factor",
           [](UsedSimulation& s, const std::string& load, double factor) {

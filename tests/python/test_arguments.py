@@ -19,7 +19,7 @@ GIVEN = {"scenario": ROTOR, "speeds": [0.0, 1.0], "of": "speed", "start": 0.0, "
          "name": "x", "load": "x", "loop": "x", "factor": 1.0, "positions": [0.0], "markers": [],
          "function": print, "value": 0.0, "values": [0.0], "times": [0.0], "speed": 1.0,
          "ramp": 1.0, "hold": 1.0, "ramp_down": 1.0, "torque": 1.0, "t": 0.0, "translation": [0] * 3,
-         "rotation": [0] * 3, "file": "x", "course": 0.0}
+         "rotation": [0] * 3, "file": "x", "course": 0.0, "drive": spoke.FixedDrive()}
 
 
 class Odd:

@@ -351,6 +351,30 @@ def test_a_drive_is_replaced_between_steps():
         sim.set_drive(spoke.ConstantSpeed(100.0))
 
 
+def test_drives_of_rotors_are_replaced_by_their_names():
+    disc = {"mass": 1.0, "inertia": 0.1}
+    sim = spoke.Simulation({
+        "world": "space", "integration": {"step": 1e-3, "duration": 1.0},
+        "support": {"from": "ground", "joint": [{"child": "frame", "kind": "fixed"}],
+                    "body": [{"name": "frame", "kind": "rigid", "mass": 20.0, "inertia": 5.0}]},
+        "rotor": [
+            {"name": "main", "hub": {**disc, "drive": {"kind": "constant", "speed": 10.0}},
+             "axle": {"body": "frame"}},
+            {"name": "tail", "hub": {**disc, "drive": {"kind": "free", "initial_speed": 20.0}},
+             "axle": {"body": "frame", "offset": [-3.0, 0.0, 0.0]}}]})
+    start, in_force = sim.save(), spoke.courses(sim)
+    sim.set_drive(spoke.TorqueDrive(-0.5), rotor="tail")
+    sim.run(until=0.1)
+    assert sim.sensor("tail.hub.speed") == pytest.approx(20.0 - 0.1 * 0.5 / 0.1)
+    assert isinstance(sim.drive_of("tail"), spoke.TorqueDrive)
+    assert isinstance(sim.drive_of("main"), spoke.ConstantSpeed)
+    assert isinstance(spoke.courses(sim).rotors["tail"], spoke.TorqueDrive)
+    sim.restore(start, in_force)
+    assert isinstance(sim.drive_of("tail"), spoke.FreeDrive)
+    with pytest.raises(spoke.InputError, match='did you mean "tail"'):
+        sim.set_drive(spoke.TorqueDrive(1.0), rotor="tial")
+
+
 def test_a_trace_has_the_bits_of_a_run_and_every_node_in_it(rotor):
     trace = rotor.trace(10)
     other = spoke.Simulation(ROTOR, set=SHORT, executor="serial")

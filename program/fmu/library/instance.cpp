@@ -73,15 +73,20 @@ bool is_other(double value, double start) {
   return std::abs(value - start) > 1e-12 * std::abs(start);
 }
 
-/// Whether two courses are of the same joints and loads, in the same order.
+/// Whether two courses are of the same rotors, joints and loads, in the same order.
 bool has_same_places(const Courses& one, const Courses& other) {
   const auto is_same_joint = [](const JointCourse& a, const JointCourse& b) {
     return a.tree == b.tree && a.joint == b.joint && a.coordinate == b.coordinate;
   };
+  const auto is_same_rotor = [](const RotorDrive& a, const RotorDrive& b) {
+    return a.rotor == b.rotor;
+  };
   const auto is_same_load = [](const LoadFactor& a, const LoadFactor& b) {
     return a.load == b.load;
   };
-  return std::equal(one.joints.begin(), one.joints.end(), other.joints.begin(), other.joints.end(),
+  return std::equal(one.rotors.begin(), one.rotors.end(), other.rotors.begin(), other.rotors.end(),
+                    is_same_rotor) &&
+         std::equal(one.joints.begin(), one.joints.end(), other.joints.begin(), other.joints.end(),
                     is_same_joint) &&
          std::equal(one.loads.begin(), one.loads.end(), other.loads.begin(), other.loads.end(),
                     is_same_load);
@@ -282,7 +287,7 @@ std::string Instance::serialize(const void* held, std::size_t place) const {
 }
 
 void* Instance::deserialize(std::string_view bytes) {
-  ModelState state = read_state(bytes, contents_.token, begin_->courses.drive);
+  ModelState state = read_state(bytes, contents_.token, begin_->courses);
   if (state.inputs.size() != inputs_.size() || !has_same_places(state.courses, courses_))
     throw InputError("the state is of an FMU with other inputs");
   return states_.emplace_back(std::make_unique<ModelState>(std::move(state))).get();

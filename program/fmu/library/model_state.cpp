@@ -2,6 +2,7 @@
 
 #include "program/fmu/library/model_state.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <optional>
@@ -16,7 +17,7 @@
 namespace spoke::fmu {
 namespace {
 
-constexpr std::string_view kMark = "SPOKEFMU4\n";
+constexpr std::string_view kMark = "SPOKEFMU5\n";
 constexpr const char* kName = "the serialized state";
 
 [[noreturn]] void fail(const std::string& why) {
@@ -155,6 +156,11 @@ std::string write_state(const ModelState& state, const std::string& token) {
     writer.add(std::uint64_t{input.is_given});
   }
   add(state.courses.drive, writer);
+  writer.add(std::uint64_t{state.courses.rotors.size()});
+  for (const RotorDrive& of : state.courses.rotors) {
+    writer.add(std::string_view(of.rotor));
+    add(of.drive, writer);
+  }
   writer.add(std::uint64_t{state.courses.joints.size()});
   for (const JointCourse& joint : state.courses.joints) {
     for (const int index : {joint.tree, joint.joint, joint.coordinate})
@@ -182,7 +188,7 @@ std::string write_state(const ModelState& state, const std::string& token) {
   return std::string(kMark) + hash.bytes() + bytes;
 }
 
-ModelState read_state(std::string_view bytes, const std::string& token, const Drive& own) {
+ModelState read_state(std::string_view bytes, const std::string& token, const Courses& own) {
   if (!bytes.starts_with(kMark)) fail("is of another kind");
   bytes.remove_prefix(kMark.size());
   Reader head(bytes);
@@ -202,7 +208,15 @@ ModelState read_state(std::string_view bytes, const std::string& token, const Dr
     input.value = reader.real();
     input.is_given = reader.number() != 0;
   }
-  state.courses.drive = read_drive(reader, own);
+  state.courses.drive = read_drive(reader, own.drive);
+  state.courses.rotors.resize(reader.count());
+  for (RotorDrive& of : state.courses.rotors) {
+    of.rotor = reader.text();
+    const auto known = std::find_if(own.rotors.begin(), own.rotors.end(),
+                                    [&](const RotorDrive& at) { return at.rotor == of.rotor; });
+    if (known == own.rotors.end()) fail("is of another FMU");
+    of.drive = read_drive(reader, known->drive);
+  }
   state.courses.joints.resize(reader.count());
   for (JointCourse& joint : state.courses.joints) {
     joint.tree = reader.index();

@@ -36,8 +36,8 @@ struct ModelState {
 /// Returns a state as bytes, for any process with an FMU of this token on a machine of this kind.
 std::string write_state(const ModelState& state, const std::string& token);
 
-/// Reads such bytes, beside a simulation whose scenario has the drive `own`. Throws InputError if
-/// they are damaged or of an FMU with another token.
-ModelState read_state(std::string_view bytes, const std::string& token, const Drive& own);
+/// Reads such bytes, beside a simulation whose scenario has the drives of `own`. Throws InputError
+/// if they are damaged or of an FMU with another token.
+ModelState read_state(std::string_view bytes, const std::string& token, const Courses& own);
 
 }  // namespace spoke::fmu

@@ -186,3 +186,55 @@ TEST_CASE("a course of speed passes through angle and speed, at constant acceler
           CHECK(course.value(t + 2.0 * step) == target);
         }
 }
+
+TEST_CASE("drives of further rotors are inputs by their names, and states hold them") {
+  const std::string rotors = R"(world = "space"
+[integration]
+step = 1e-3
+duration = 1.0
+[support]
+from = "ground"
+[[support.body]]
+name = "frame"
+kind = "rigid"
+mass = 20.0
+inertia = 5.0
+[[support.joint]]
+child = "frame"
+kind = "fixed"
+[[rotor]]
+name = "main"
+hub = { mass = 2.0, inertia = 0.3, drive = { kind = "constant", speed = 10.0 } }
+axle = { body = "frame" }
+[[rotor]]
+name = "tail"
+hub = { mass = 1.0, inertia = 0.1, drive = { kind = "free", initial_speed = 20.0 } }
+axle = { body = "frame", offset = [-3.0, 0.0, 0.0] }
+[[rotor]]
+name = "weld"
+hub = { mass = 1.0, inertia = 0.1, drive = { kind = "fixed" } }
+axle = { body = "frame", offset = [3.0, 0.0, 0.0] }
+)";
+  const UnpackedFmu unpacked(rotors);
+  const LoadedFmu fmu(unpacked.folder());
+  Simulation simulation = simulate(rotors);
+  CHECK(names_of(fmu::choose_inputs(simulation, {})) == Names{"drive.speed", "tail.drive.torque"});
+  FmuInstance instance(fmu);
+  CHECK(instance.initialize() == kOk);
+  CHECK(instance.set({"tail.drive.torque"}, {-0.5}) == kOk);
+  CHECK(instance.step(0.0, 0.1) == kOk);
+  simulation.set_drive(TorqueDrive{Curve(-0.5), 20.0}, "tail");
+  simulation.run_until(0.1);
+  CHECK(instance.outputs() == values_of(simulation));
+  CHECK(instance.get({"tail.hub.speed"})[0] == doctest::Approx(20.0 - 0.1 * 0.5 / 0.1));
+  // By way of bytes, in an instance that has not begun.
+  void* state = nullptr;
+  CHECK(instance.get_state(&state) == kOk);
+  FmuInstance later(fmu);
+  void* read = nullptr;
+  CHECK(later.deserialize(instance.serialize(state), &read) == kOk);
+  CHECK(later.set_state(read) == kOk);
+  CHECK(instance.step(0.1, 0.1) == kOk);
+  CHECK(later.step(0.1, 0.1) == kOk);
+  CHECK(later.outputs() == instance.outputs());
+}
