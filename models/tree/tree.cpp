@@ -67,7 +67,7 @@ BodyAt find_hub(const std::vector<Tree>& trees, int rotor) {
 
 Placement find_hub_placement(const Model& model, const std::vector<Tree>& trees, int rotor) {
   const BodyAt at = find_hub(trees, rotor);
-  const Placement own = calc_placements(trees[at.tree])[at.body];
+  Placement own = calc_placements(trees[at.tree])[at.body];
   if (at.tree + 1 == trees.size()) return own;  // on the support
   const int carrier = trees[at.tree].rotor;
   return find_hub_placement(model, trees, carrier) *
