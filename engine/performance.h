@@ -26,6 +26,7 @@ struct PerformanceOptions {
   /// Name of the joint that pitches a blade, where there is no [control.pitch].
   std::string joint = "pitch";
   bool is_rigid = false;  ///< blades undeformed
+  std::string rotor{};    ///< of several the one by this name; empty: there is one
   /// Called with the number of points that are done. An exception that it throws ends the search.
   std::function<void(std::size_t)> progress{};
 };
@@ -49,18 +50,19 @@ struct PerformancePoint {
 struct PerformanceResult {
   bool is_map = false;  ///< over tip-speed ratio and pitch, the latter running fastest
   bool is_rigid = false;
+  std::string rotor{};   ///< that was asked for by its name; else empty
   double radius = 0.0;   ///< of the undeformed tip [m]
   double density = 0.0;  ///< of the air [kg/m^3]
   std::vector<PerformancePoint> points;
 };
 
-/// Finds the steady states of the rotor of a scenario in air, which is uniform, steady and blows
-/// along the wind's direction; of it the part along the rotor's axis counts, as gravity does, and
-/// the support is rigid. Where the drive prescribes the speed, the rotor has the speed with which
-/// that ends. Where it is a torque by speed, the rotor turns as fast as the air drives it against
-/// that torque; up to the set point of [control.pitch] at its least pitch, and beyond at the pitch
-/// that holds the set point. Throws InputError where the scenario has no air, or an option does not
-/// fit.
+/// Finds the steady states of a rotor of a scenario in air, alone, which is uniform, steady and
+/// blows along the wind's direction; of it the part along the rotor's axis counts, as gravity does,
+/// and the support is rigid. Where the drive prescribes the speed, the rotor has the speed with
+/// which that ends. Where it is a torque by speed, the rotor turns as fast as the air drives it
+/// against that torque; up to the set point of [control.pitch] at its least pitch, and beyond at
+/// the pitch that holds the set point. Throws InputError where the scenario has no air, or an
+/// option does not fit.
 SPOKE_EXPORT PerformanceResult solve_performance(const Scenario& scenario,
                                                  const PerformanceOptions& options);
 

@@ -3,12 +3,11 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "engine/simulation/jumps.h"
 #include "engine/simulation/simulation_core.h"
 #include "models/error.h"
-#include "models/support/nearest_name.h"
+#include "models/system/single_rotor.h"
 
 namespace spoke {
 
@@ -43,15 +42,8 @@ void SimulationCore::set_anchor_motion(std::string_view name, const SaidAnchorMo
 
 int SimulationCore::find_rotor(std::string_view name) const {
   if (name.empty()) return 0;
-  if (!scenario.space || scenario.space->hub.name.empty())
-    throw InputError("a drive is of the rotor \"" + std::string(name) +
-                     "\", expected no name: there is no [[rotor]]");
-  std::vector<std::string_view> names;
-  for (int r = 0; r < count_rotors(*scenario.space); ++r) {
-    names.push_back(hub_of(*scenario.space, r).name);
-    if (names.back() == name) return r;
-  }
-  throw InputError("the rotor of a drive " + describe_unknown(std::string(name), names));
+  return spoke::find_rotor(scenario.space ? *scenario.space : spatial::Model{}, std::string(name),
+                           "the rotor of a drive");
 }
 
 void SimulationCore::set_drive(const Drive& next, int rotor) {

@@ -6,6 +6,10 @@
 #include <cassert>
 #include <optional>
 #include <string>
+#include <string_view>
+
+#include "models/error.h"
+#include "models/support/nearest_name.h"
 
 namespace spoke {
 namespace {
@@ -50,6 +54,17 @@ void keep_loads(const spatial::Model& model, int rotor, std::vector<Load>& loads
 }
 
 }  // namespace
+
+int find_rotor(const spatial::Model& model, const std::string& name, const std::string& what) {
+  std::vector<std::string_view> names;
+  for (int r = 0; r < count_rotors(model) && !hub_of(model, r).name.empty(); ++r) {
+    names.push_back(hub_of(model, r).name);
+    if (names.back() == name) return r;
+  }
+  if (names.empty())
+    throw InputError(what + " is \"" + name + "\", expected no name: there is no [[rotor]]");
+  throw InputError(what + ' ' + describe_unknown(name, names));
+}
 
 spatial::Model without_support(const spatial::Model& model, int rotor) {
   assert(model.support && is_support(model, model.subsystems.back()));

@@ -2,6 +2,7 @@
 
 // A rotor of a model apart from what carries it.
 
+#include <string>
 #include <vector>
 
 #include "models/sensor.h"
@@ -9,6 +10,10 @@
 #include "models/tree/tree.h"
 
 namespace spoke {
+
+/// Returns the number of the rotor of a model by a name. Throws InputError, which begins with
+/// `what`, if there is none.
+int find_rotor(const spatial::Model& model, const std::string& name, const std::string& what);
 
 /// Returns a rotor of a model on a support without it: on an axle that nothing moves, with its own
 /// blades, subsystems and loads. Blades have the numbers that they have among those of the rotor.

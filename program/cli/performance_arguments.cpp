@@ -80,6 +80,9 @@ void add_performance_options(CLI::App& command, PerformanceArguments& arguments)
                   "Name of the joint that pitches a blade, where there is no\n"
                   "[control.pitch] [pitch]")
       ->type_name("NAME");
+  command
+      .add_option("--rotor", arguments.rotor, "Name of one of several rotors, which is taken alone")
+      ->type_name("NAME");
   command.add_flag("--rigid", arguments.is_rigid, "Keep the blades undeformed");
 }
 

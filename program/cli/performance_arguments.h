@@ -17,10 +17,11 @@ struct PerformanceArguments {
   std::vector<double> tip_speed_ratio;  ///< of a map
   std::vector<double> pitch;            ///< [rad]
   std::string joint = "pitch";
+  std::string rotor;
   bool is_rigid = false;
 };
 
-/// Adds --wind, --tip-speed-ratio, --pitch, --joint and --rigid.
+/// Adds --wind, --tip-speed-ratio, --pitch, --joint, --rotor and --rigid.
 void add_performance_options(CLI::App& command, PerformanceArguments& arguments);
 
 }  // namespace spoke::cli

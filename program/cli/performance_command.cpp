@@ -29,7 +29,8 @@ int find_performance(const Arguments& arguments) {
                                           .tip_speed_ratio = asked.tip_speed_ratio,
                                           .pitch = asked.pitch,
                                           .joint = asked.joint,
-                                          .is_rigid = asked.is_rigid},
+                                          .is_rigid = asked.is_rigid,
+                                          .rotor = asked.rotor},
                                          task);
   task.write({{"performance.csv", steady_report::make_csv(result)},
               {"performance.json", steady_report::make_json(result, task.scenario())},

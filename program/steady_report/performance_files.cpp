@@ -153,14 +153,15 @@ std::string make_json(const PerformanceResult& result, const Scenario& scenario)
     }
     points.push_back(std::move(point));
   }
-  const Json json = {{"version", SPOKE_VERSION},
-                     {"scenario", scenario.name},
-                     {"title", scenario.title},
-                     {"blades", result.is_rigid ? "rigid" : "elastic"},
-                     {"over", result.is_map ? "tip_speed_ratio" : "wind"},
-                     {"radius_m", result.radius},
-                     {"density_kg_per_m3", result.density},
-                     {"points", points}};
+  Json json = {{"version", SPOKE_VERSION},
+               {"scenario", scenario.name},
+               {"title", scenario.title},
+               {"blades", result.is_rigid ? "rigid" : "elastic"},
+               {"over", result.is_map ? "tip_speed_ratio" : "wind"},
+               {"radius_m", result.radius},
+               {"density_kg_per_m3", result.density},
+               {"points", points}};
+  if (!result.rotor.empty()) json.set("rotor", result.rotor);
   return json.dump_lines();
 }
 

@@ -67,13 +67,14 @@ std::string describe(const Performance& performance) {
 
 Performance solve_points(const Scenario& scenario, std::vector<double> wind,
                          std::vector<double> tip_speed_ratio, std::vector<double> pitch,
-                         std::string joint, bool is_rigid) {
+                         std::string joint, bool is_rigid, std::string rotor) {
   const std::size_t pitches = std::max<std::size_t>(1, pitch.size());
   const PerformanceOptions options{.wind = std::move(wind),
                                    .tip_speed_ratio = std::move(tip_speed_ratio),
                                    .pitch = std::move(pitch),
                                    .joint = std::move(joint),
                                    .is_rigid = is_rigid,
+                                   .rotor = std::move(rotor),
                                    .progress = [](std::size_t) {
                                      const py::gil_scoped_acquire lock;
                                      if (PyErr_CheckSignals() != 0) throw py::error_already_set();

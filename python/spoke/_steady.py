@@ -81,7 +81,7 @@ def critical(scenario, of, start, end, *, set=None, speed=None, points=21, count
 
 
 def performance(scenario, *, wind=None, tip_speed_ratio=None, pitch=None, joint="pitch",
-                rigid=False, set=None):
+                rigid=False, rotor="", set=None):
     """Finds the steady states of a rotor in uniform wind along its axis: its Performance.
 
     scenario, set: as of read_scenario().
@@ -91,10 +91,11 @@ def performance(scenario, *, wind=None, tip_speed_ratio=None, pitch=None, joint=
         pitch is held. None: those of [control.pitch], or joints as they stand.
     joint: name of the joint that pitches a blade, where there is no [control.pitch].
     rigid: whether blades stay undeformed.
+    rotor: name of one of several rotors, which is taken alone.
 
     One number counts as a list of one. Raises InputError if the scenario has no air, or if an
     argument does not fit; where there is no steady state the result says why (Performance.gaps).
     """
     lists = [[] if values is None else np.atleast_1d(values).astype(float)
              for values in (wind, tip_speed_ratio, pitch)]
-    return _spoke._solve_performance(read_scenario(scenario, set), *lists, joint, rigid)
+    return _spoke._solve_performance(read_scenario(scenario, set), *lists, joint, rigid, rotor)

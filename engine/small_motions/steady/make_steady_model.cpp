@@ -123,15 +123,18 @@ std::unique_ptr<SteadyModel> make_steady_model(const Scenario& scenario,
   return make_spatial(in_mean_wind(scenario, options.instant, WindPlaces::hub), winds, options);
 }
 
-std::unique_ptr<SteadyModel> make_rotor_model(const Scenario& scenario,
+std::unique_ptr<SteadyModel> make_rotor_model(const Scenario& scenario, int rotor,
                                               const SteadyOptions& options) {
   assert(scenario.space);
   require_hub_anchors(*scenario.space);
   require_free_axles(*scenario.space);
-  if (has_friction(scenario)) return make_rotor_model(with_friction_at_rest(scenario), options);
+  require_rotors_on_support(*scenario.space);
+  if (has_friction(scenario))
+    return make_rotor_model(with_friction_at_rest(scenario), rotor, options);
   if (has_changing_wind(scenario))
-    return make_rotor_model(in_mean_wind(scenario, options.instant, WindPlaces::hub), options);
-  return scenario.space->support ? make_first_rotor(scenario, options)
+    return make_rotor_model(in_mean_wind(scenario, options.instant, WindPlaces::hub, rotor), rotor,
+                            options);
+  return scenario.space->support ? make_single_rotor(scenario, rotor, options)
                                  : make_spatial(scenario, {}, options);
 }
 

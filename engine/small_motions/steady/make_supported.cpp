@@ -204,14 +204,15 @@ std::unique_ptr<SteadyModel> make_supported(const Scenario& scenario, const Stea
   return std::make_unique<SupportedModel>(std::move(parts));
 }
 
-std::unique_ptr<SteadyModel> make_first_rotor(const Scenario& scenario,
-                                              const SteadyOptions& options) {
+std::unique_ptr<SteadyModel> make_single_rotor(const Scenario& scenario, int rotor,
+                                               const SteadyOptions& options) {
   const std::shared_ptr<const Machine> machine = make_machine(*scenario.space, {}, options);
   const spatial::Tree& support = machine->support_tree.front();
-  const spatial::Placement hub = calc_placements(support)[find_hub(support, 0)];
+  const spatial::Placement hub = calc_placements(support)[find_hub(support, rotor)];
   const space::Rotation base = make_rotation(machine->support.hub.orientation);
-  return make_rotor(machine->rotors.front(), (base * space::Rotation{hub.rotation}).axes,
-                    take_sensors(scenario.sensors, *scenario.space, 0),
+  return make_rotor(machine->rotors[static_cast<std::size_t>(rotor)],
+                    (base * space::Rotation{hub.rotation}).axes,
+                    take_sensors(scenario.sensors, *scenario.space, rotor),
                     make_loop_limits(scenario.integration), options);
 }
 

@@ -31,8 +31,9 @@ std::unique_ptr<SteadyModel> make_part(const System<Space>& system,
 std::unique_ptr<SteadyModel> make_supported(const Scenario& scenario, const SteadyWinds& winds,
                                             const SteadyOptions& options);
 
-/// Makes the model of the first of them alone, whose axle stands as on the undeformed support.
-std::unique_ptr<SteadyModel> make_first_rotor(const Scenario& scenario,
-                                              const SteadyOptions& options);
+/// Makes the model of one of them alone, whose axle stands as on the undeformed support;
+/// `options.speed` is its speed.
+std::unique_ptr<SteadyModel> make_single_rotor(const Scenario& scenario, int rotor,
+                                               const SteadyOptions& options);
 
 }  // namespace spoke::steady

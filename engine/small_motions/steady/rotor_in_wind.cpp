@@ -10,32 +10,35 @@
 namespace spoke::steady {
 namespace {
 
-/// Holds the joints of these names at an angle.
-void hold(const std::vector<std::string>& names, double angle, spatial::Model& model) {
+/// Holds the joints of a rotor by these names at an angle.
+void hold(int rotor, const std::vector<std::string>& names, double angle, spatial::Model& model) {
   const auto hold_joint = [&](spatial::Joint& joint) {
     if (!joint.name.empty() && std::find(names.begin(), names.end(), joint.name) != names.end())
       joint.coordinates[0].motion = spatial::MotionTable{Curve(angle)};
   };
   for (spatial::Blade& blade : model.blades)
-    for (spatial::BladeJoint& joint : blade.joints) hold_joint(joint.joint);
+    if (blade.rotor == rotor)
+      for (spatial::BladeJoint& joint : blade.joints) hold_joint(joint.joint);
   for (spatial::Subsystem& subsystem : model.subsystems)
-    for (spatial::SubsystemJoint& joint : subsystem.joints) hold_joint(joint.joint);
+    if (subsystem.rotor == rotor)
+      for (spatial::SubsystemJoint& joint : subsystem.joints) hold_joint(joint.joint);
 }
 
-Eigen::Vector3d direction_of(const spatial::Model& model) {
+Eigen::Vector3d direction_of(const spatial::Model& model, int rotor) {
   const Eigen::Vector3d& velocity = model.air->wind.velocity;
-  return velocity.isZero(0.0) ? Eigen::Vector3d(model.hub.axis.normalized())
+  return velocity.isZero(0.0) ? Eigen::Vector3d(hub_of(model, rotor).axis.normalized())
                               : Eigen::Vector3d(velocity.normalized());
 }
 
 }  // namespace
 
-RotorInWind::RotorInWind(const Scenario& scenario, const std::vector<std::string>& joints,
-                         bool is_rigid)
+RotorInWind::RotorInWind(const Scenario& scenario, int rotor,
+                         const std::vector<std::string>& joints, bool is_rigid)
     : scenario_(scenario),
+      rotor_(rotor),
       joints_(joints),
       is_rigid_(is_rigid),
-      direction_(direction_of(*scenario.space)) {
+      direction_(direction_of(*scenario.space, rotor)) {
   scenario_.sensors.clear();
   scenario_.space->pitch_control.reset();  // it would add its angle at the start
 }
@@ -61,9 +64,9 @@ Equilibrium RotorInWind::find_state(SteadyModel& model) {
 RotorAnswer RotorInWind::find(double wind, double speed, std::optional<double> angle) {
   scenario_.space->air->wind = Wind{};
   scenario_.space->air->wind.velocity = wind * direction_;
-  if (angle) hold(joints_, *angle, *scenario_.space);
+  if (angle) hold(rotor_, joints_, *angle, *scenario_.space);
   std::unique_ptr<SteadyModel> model =
-      make_rotor_model(scenario_, {.speed = speed, .is_axial = true});
+      make_rotor_model(scenario_, rotor_, {.speed = speed, .is_axial = true});
   Equilibrium state = find_state(*model);
   RotorAnswer answer;
   for (std::size_t i = 0; i < model->subsystems(); ++i) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// The rotor of a scenario in steady rotation in wind: what air does to it at a wind speed, a speed
+// A rotor of a scenario in steady rotation in wind: what air does to it at a wind speed, a speed
 // of the hub and an angle of pitch.
 
 #include <optional>
@@ -21,8 +21,10 @@ struct RotorAnswer {
 
 class RotorInWind {
  public:
-  /// Takes the rotor of a scenario in air; `joints` pitch its blades. `is_rigid`: undeformed.
-  RotorInWind(const Scenario& scenario, const std::vector<std::string>& joints, bool is_rigid);
+  /// Takes a rotor of a scenario in air, by its number; `joints` pitch its blades. `is_rigid`:
+  /// undeformed.
+  RotorInWind(const Scenario& scenario, int rotor, const std::vector<std::string>& joints,
+              bool is_rigid);
 
   /// Returns what air does in wind of this speed [m/s] at a speed of the hub [rad/s], where the
   /// pitch joints stand at `angle` [rad]; none: as they do in the scenario. Goes on from the
@@ -33,6 +35,7 @@ class RotorInWind {
   Equilibrium find_state(SteadyModel& model);
 
   Scenario scenario_;
+  int rotor_;
   std::vector<std::string> joints_;
   bool is_rigid_;
   Eigen::Vector3d direction_;  ///< of the wind

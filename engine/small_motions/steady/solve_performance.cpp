@@ -13,6 +13,7 @@
 #include "engine/small_motions/steady/steady_speed.h"
 #include "models/error.h"
 #include "models/reader/scenario_check.h"
+#include "models/system/single_rotor.h"
 
 namespace spoke {
 namespace {
@@ -36,15 +37,24 @@ struct Pitch {
   double set_point = 0.0;             ///< of a controller [rad/s]
 };
 
-/// Returns the first joint of blades, or else of subsystems, of a name; null: there is none.
-const spatial::Joint* find_joint(const spatial::Model& model, const std::string& name) {
+/// Returns the first joint of blades, or else of subsystems, of a rotor by a name; null: there is
+/// none.
+const spatial::Joint* find_joint(const spatial::Model& model, int rotor, const std::string& name) {
   for (const spatial::Blade& blade : model.blades)
     for (const spatial::BladeJoint& joint : blade.joints)
-      if (joint.joint.name == name) return &joint.joint;
+      if (blade.rotor == rotor && joint.joint.name == name) return &joint.joint;
   for (const spatial::Subsystem& subsystem : model.subsystems)
     for (const spatial::SubsystemJoint& joint : subsystem.joints)
-      if (joint.joint.name == name) return &joint.joint;
+      if (subsystem.rotor == rotor && joint.joint.name == name) return &joint.joint;
   return nullptr;
+}
+
+/// Whether a model controls the pitch of a rotor.
+bool is_controlled(const spatial::Model& model, int rotor) {
+  return model.pitch_control &&
+         std::any_of(
+             model.pitch_control->joints.begin(), model.pitch_control->joints.end(),
+             [&](const std::string& name) { return find_joint(model, rotor, name) != nullptr; });
 }
 
 /// Returns the angle at which a joint is held, all courses over, in the mean over a turn [rad]; 0
@@ -58,22 +68,23 @@ double find_angle(const spatial::Joint* joint) {
   return std::get<spatial::AzimuthMotion>(motion).mean;
 }
 
-Pitch find_pitch(const spatial::Model& model, const PerformanceOptions& options) {
+Pitch find_pitch(const spatial::Model& model, int rotor, const PerformanceOptions& options) {
   Pitch pitch;
-  if (model.pitch_control) {
+  if (is_controlled(model, rotor)) {
     const PitchControl& control = *model.pitch_control;
     pitch.joints = control.joints;
     pitch.sign = control.sign;
     pitch.least = control.minimum;
     pitch.most = control.maximum;
     pitch.set_point = control.speed;
-  } else if (find_joint(model, options.joint) != nullptr) {
+  } else if (find_joint(model, rotor, options.joint) != nullptr) {
     pitch.joints = {options.joint};
   } else if (!options.pitch.empty()) {
     throw InputError("no blade has a joint \"" + options.joint +
                      "\", expected the name of the joint that pitches a blade");
   }
-  if (!pitch.joints.empty()) pitch.stands = find_angle(find_joint(model, pitch.joints.front()));
+  if (!pitch.joints.empty())
+    pitch.stands = find_angle(find_joint(model, rotor, pitch.joints.front()));
   return pitch;
 }
 
@@ -111,17 +122,19 @@ LineEnd search(const OperatingLine& line, double from, const Torque& torque) {
 /// A rotor with its drive.
 class Performance {
  public:
-  Performance(const Scenario& scenario, const PerformanceOptions& options)
+  Performance(const Scenario& scenario, int rotor, const PerformanceOptions& options)
       : model_(*scenario.space),
+        hub_(hub_of(model_, rotor)),
         options_(options),
-        pitch_(find_pitch(model_, options)),
-        rotor_(scenario, pitch_.joints, options.is_rigid),
-        rigid_(scenario, pitch_.joints, true) {
+        pitch_(find_pitch(model_, rotor, options)),
+        rotor_(scenario, rotor, pitch_.joints, options.is_rigid),
+        rigid_(scenario, rotor, pitch_.joints, true) {
     for (const spatial::Blade& blade : model_.blades)
-      if (blade.aerodynamics)
-        radius_ = model_.hub.radius + blade.beam.length * std::cos(blade.precone);
-    if (!std::holds_alternative<TorqueBySpeed>(model_.hub.drive) && options.tip_speed_ratio.empty())
-      given_speed_ = steady::find_steady_speed(scenario, std::nullopt);
+      if (blade.aerodynamics && blade.rotor == rotor)
+        radius_ = hub_.radius + blade.beam.length * std::cos(blade.precone);
+    if (radius_ == 0.0) throw InputError("no blade of the rotor has aerodynamics, expected some");
+    if (!std::holds_alternative<TorqueBySpeed>(hub_.drive) && options.tip_speed_ratio.empty())
+      given_speed_ = steady::find_steady_speed(scenario, rotor, std::nullopt);
   }
 
   double radius() const { return radius_; }
@@ -195,7 +208,7 @@ class Performance {
       return [&, turn, wind](double place) {
         const double speed = speed_at(place, wind);
         return turn * (rotor.find(wind, speed, angle_at(place)).torque +
-                       calc_torque(model_.hub.drive, kLate, speed));
+                       calc_torque(hub_.drive, kLate, speed));
       };
     };
     const LineEnd rigid = search(line, 0.0, torque_of(rigid_));
@@ -226,6 +239,7 @@ class Performance {
   }
 
   const spatial::Model& model_;
+  const spatial::Hub& hub_;
   const PerformanceOptions& options_;
   Pitch pitch_;
   RotorInWind rotor_, rigid_;
@@ -241,8 +255,6 @@ void require(bool holds, const char* what) {
 void check(const Scenario& scenario, const PerformanceOptions& options) {
   require(scenario.space && scenario.space->air,
           "air: is missing, expected [air] with the aerodynamics of blades");
-  steady::require_one_rotor(
-      scenario, "performance is that of one rotor in the wind; static and runs have several");
   require(scenario.space->hub.support == HubSupport::axle,
           "hub.support: the hub is free, expected an axle: nothing holds the rotor");
   const bool is_map = !options.tip_speed_ratio.empty();
@@ -260,13 +272,24 @@ void check(const Scenario& scenario, const PerformanceOptions& options) {
     require(std::isfinite(angle), "a pitch angle is not finite");
 }
 
+/// Returns the number of the rotor that is asked for. Throws InputError if it is not named, or not
+/// there.
+int choose_rotor(const spatial::Model& model, const std::string& name) {
+  if (!name.empty()) return find_rotor(model, name, "the rotor");
+  require(model.rotors.empty(),
+          "there are several rotors, expected the name of one of them (--rotor): each has a "
+          "performance of its own");
+  return 0;
+}
+
 }  // namespace
 
 PerformanceResult solve_performance(const Scenario& scenario, const PerformanceOptions& options) {
   check_scenario(scenario);
   check(scenario, options);
-  Performance performance(scenario, options);
+  Performance performance(scenario, choose_rotor(*scenario.space, options.rotor), options);
   PerformanceResult result;
+  result.rotor = options.rotor;
   result.is_map = !options.tip_speed_ratio.empty();
   result.is_rigid = options.is_rigid;
   result.radius = performance.radius();

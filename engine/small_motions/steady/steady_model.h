@@ -352,9 +352,9 @@ class HeldStates {
 std::unique_ptr<SteadyModel> make_steady_model(const Scenario& scenario,
                                                const SteadyOptions& options);
 
-/// Makes the model of the rotor of a scenario in space alone, without what carries it: its axle
-/// stands as on the undeformed support.
-std::unique_ptr<SteadyModel> make_rotor_model(const Scenario& scenario,
+/// Makes the model of a rotor of a scenario in space alone, without what carries it: its axle
+/// stands as on the undeformed support, and `options.speed` is its speed.
+std::unique_ptr<SteadyModel> make_rotor_model(const Scenario& scenario, int rotor,
                                               const SteadyOptions& options);
 
 }  // namespace spoke::steady

@@ -63,17 +63,18 @@ void require_rotors(const Scenario& scenario, const SteadyState& asked) {
 
 }  // namespace
 
-double find_steady_speed(const Scenario& scenario, std::optional<double> asked) {
+double find_steady_speed(const Scenario& scenario, int rotor, std::optional<double> asked) {
   if (asked) require_speed(*asked);
   if (asked) return *asked;
   const std::optional<double> speed = scenario.space
-                                          ? speed_of(scenario.space->hub)
+                                          ? speed_of(hub_of(*scenario.space, rotor))
                                           : std::visit(FinalSpeed{}, scenario.rotor.hub.drive);
-  if (!speed)
-    throw InputError(
-        "hub.drive: a torque has no steady speed by itself, expected a speed to be given "
-        "(--speed)");
-  return *speed;
+  if (speed) return *speed;
+  const std::string name = rotor > 0 ? hub_of(*scenario.space, rotor).name : "";
+  throw InputError((rotor > 0 ? "the drive of the rotor \"" + name + '"' : "hub.drive") +
+                   ": a torque has no steady speed by itself, expected a speed to be given "
+                   "(--speed" +
+                   (rotor > 0 ? ' ' + name + "=VALUE" : "") + ')');
 }
 
 std::vector<double> find_steady_speeds(const Scenario& scenario, const SteadyState& asked) {
@@ -84,18 +85,9 @@ std::vector<double> find_steady_speeds(const Scenario& scenario, const SteadySta
   };
   const bool has_name = scenario.space && !scenario.space->rotors.empty() && !asked.speed;
   std::vector<double> speeds{
-      find_steady_speed(scenario, has_name ? named(scenario.space->hub.name) : asked.speed)};
-  if (!scenario.space) return speeds;
-  for (const spatial::Rotor& rotor : scenario.space->rotors) {
-    std::optional<double> speed = named(rotor.hub.name);
-    if (!speed) speed = speed_of(rotor.hub);
-    if (!speed)
-      throw InputError("the drive of the rotor \"" + rotor.hub.name +
-                       "\": a torque has no steady speed by itself, expected a speed to be given "
-                       "(--speed " +
-                       rotor.hub.name + "=VALUE)");
-    speeds.push_back(*speed);
-  }
+      find_steady_speed(scenario, 0, has_name ? named(scenario.space->hub.name) : asked.speed)};
+  for (int r = 1; scenario.space && r < count_rotors(*scenario.space); ++r)
+    speeds.push_back(find_steady_speed(scenario, r, named(hub_of(*scenario.space, r).name)));
   return speeds;
 }
 
@@ -117,12 +109,6 @@ SteadyState scale_steady_state(const Scenario& scenario, double first) {
   for (std::size_t r = 1; r < speeds.size(); ++r)
     state.speeds[scenario.space->rotors[r - 1].hub.name] = speeds[r];
   return state;
-}
-
-void require_one_rotor(const Scenario& scenario, const std::string& why) {
-  if (!scenario.space || scenario.space->rotors.empty()) return;
-  throw InputError("rotor: there are " + std::to_string(count_rotors(*scenario.space)) +
-                   ", expected one: " + why);
 }
 
 SteadyOptions at_speeds(const std::vector<double>& speeds, const SteadyOptions& others) {

@@ -13,9 +13,9 @@
 namespace spoke::steady {
 
 /// Returns the speed that was asked for, else the one that the drive leads to and holds, else, for
-/// a hub without a drive, the one at the start [rad/s]. Of several rotors that of the first. Throws
-/// InputError if it is not finite, or if there is none: a torque has no steady speed by itself.
-double find_steady_speed(const Scenario& scenario, std::optional<double> asked);
+/// a hub without a drive, the one at the start [rad/s], of a rotor by its number. Throws InputError
+/// if it is not finite, or if there is none: a torque has no steady speed by itself.
+double find_steady_speed(const Scenario& scenario, int rotor, std::optional<double> asked);
 
 /// Returns the speeds of all rotors in their order, see find_steady_speed(). Throws InputError also
 /// if a speed is for a rotor that there is not, or the first one has two.
@@ -27,9 +27,6 @@ std::vector<double> find_steady_speeds(const Scenario& scenario, const SteadySta
 std::vector<double> scale_steady_speeds(const Scenario& scenario, double first);
 /// Returns the state in which they have these speeds.
 SteadyState scale_steady_state(const Scenario& scenario, double first);
-
-/// Throws InputError if a scenario has several rotors. `why`: what the message says of it.
-void require_one_rotor(const Scenario& scenario, const std::string& why);
 
 /// Returns the options of a steady model in which the rotors have these speeds.
 SteadyOptions at_speeds(const std::vector<double>& speeds, const SteadyOptions& others = {});

@@ -160,7 +160,7 @@ void find_crossings(const CampbellOptions& options, std::optional<double> operat
 
 std::optional<double> find_operating_speed(const Scenario& scenario) {
   try {
-    return steady::find_steady_speed(scenario, std::nullopt);
+    return steady::find_steady_speed(scenario, 0, std::nullopt);
   } catch (const InputError&) {
     return std::nullopt;  // a torque
   }

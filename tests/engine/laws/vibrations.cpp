@@ -150,7 +150,7 @@ VectorXd Vibration::start_velocities() const {
 }
 
 double steady_speed(const Scenario& scenario) {
-  return steady::find_steady_speed(scenario, std::nullopt);
+  return steady::find_steady_speed(scenario, 0, std::nullopt);
 }
 
 std::vector<Vibration> list_vibrations(const Scenario& scenario, std::size_t count) {

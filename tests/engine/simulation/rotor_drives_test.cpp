@@ -191,5 +191,5 @@ TEST_CASE("drives of rotors: what there is not is refused, and nothing changes")
       "second_moment = 1e-6\nyoungs_modulus = 1e9\n[integration]\nduration = 1.0\n",
       "one.toml"));
   CHECK(message_of([&] { one.set_drive(kFaster, "tail"); }) ==
-        "a drive is of the rotor \"tail\", expected no name: there is no [[rotor]]");
+        "the rotor of a drive is \"tail\", expected no name: there is no [[rotor]]");
 }

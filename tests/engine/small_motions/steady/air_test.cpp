@@ -147,6 +147,66 @@ TEST_CASE("a map of performance is that of single points, and pitch moves the jo
   CHECK(map.points[1].thrust > map.points[0].thrust);
 }
 
+namespace {
+
+/// Two rotors of the blades of make_rotor() on a carrier.
+std::string make_two_rotors(const std::string& air) {
+  const std::string whole = make_rotor(kPitchJoint, air);
+  const std::size_t blade = whole.find("[blade]"), shared = whole.find("[[airfoil]]");
+  std::string blades = whole.substr(blade, shared - blade);
+  for (std::size_t at = 0; (at = blades.find("[blade", at)) != std::string::npos; at += 7)
+    blades.insert(at + 1, "rotor.");
+  const auto rotor = [&](const std::string& name, double speed, const std::string& place) {
+    std::ostringstream text;
+    text << "[[rotor]]\nname = \"" << name << "\"\nhub = { mass = 10.0, inertia = 2.0, drive = "
+         << "{ kind = \"constant\", speed = " << speed
+         << " } }\naxle = { body = \"frame\", offset = " << place << " }\n";
+    return text.str() + blades;
+  };
+  return "world = \"space\"\n[support]\nfrom = \"ground\"\n[[support.body]]\nname = \"frame\"\n"
+         "kind = \"rigid\"\nmass = 20.0\ninertia = 5.0\n[[support.joint]]\nchild = \"frame\"\n"
+         "kind = \"fixed\"\n" +
+         rotor("front", 20.0, "[6.0, 0.0, 1.0]") + rotor("rear", 12.0, "[-6.0, 0.0, 1.0]") +
+         whole.substr(shared);
+}
+
+}  // namespace
+
+TEST_CASE("the performance of one of several rotors is that of the rotor alone") {
+  const std::string air = "[air]\ndensity = 1.2\n[wind]\nvelocity = [0.0, 0.0, 8.0]\n";
+  const Scenario both = parse_scenario(make_two_rotors(air), "two.toml");
+  const auto same = [](const PerformanceResult& found, const PerformanceResult& known) {
+    REQUIRE(found.points.size() == known.points.size());
+    CHECK(found.radius == known.radius);
+    for (std::size_t k = 0; k < known.points.size(); ++k) {
+      CHECK(known.points[k].gap.empty());
+      CHECK(std::abs(known.points[k].power) > 10.0);
+      CHECK(found.points[k].speed == known.points[k].speed);
+      CHECK(found.points[k].power == approx(known.points[k].power).epsilon(1e-9));
+      CHECK(found.points[k].thrust == approx(known.points[k].thrust).epsilon(1e-9));
+    }
+  };
+  for (const auto& own : {std::pair("front", 20.0), std::pair("rear", 12.0)}) {
+    const char* const name = own.first;
+    const double speed = own.second;
+    CAPTURE(name);
+    Scenario alone = parse_scenario(make_rotor(kPitchJoint, air), "one.toml");
+    alone.space->hub.drive = ConstantSpeed{speed};
+    for (const bool is_rigid : {true, false}) {
+      PerformanceOptions options{.wind = {6.0, 9.0}, .pitch = {0.03}, .is_rigid = is_rigid};
+      const PerformanceResult known = solve_performance(alone, options);
+      options.rotor = name;
+      const PerformanceResult found = solve_performance(both, options);
+      CHECK(found.rotor == name);
+      same(found, known);
+    }
+    PerformanceOptions map{.tip_speed_ratio = {5.0, 8.0}, .is_rigid = true};
+    const PerformanceResult known = solve_performance(alone, map);
+    map.rotor = name;
+    same(solve_performance(both, map), known);
+  }
+}
+
 TEST_CASE("what performance cannot find is refused in one line") {
   const std::string air = "[air]\n[wind]\nvelocity = [0.0, 0.0, 8.0]\n";
   const auto refused = [](const std::string& text, const PerformanceOptions& options) {
@@ -157,6 +217,13 @@ TEST_CASE("what performance cannot find is refused in one line") {
   vacuum.space->air.reset();
   CHECK(test::message_of([&] { solve_performance(vacuum, {.wind = {8.0}}); }) ==
         "air: is missing, expected [air] with the aerodynamics of blades");
+  CHECK(refused(make_two_rotors(air), {.wind = {8.0}}) ==
+        "there are several rotors, expected the name of one of them (--rotor): each has a "
+        "performance of its own");
+  CHECK(refused(make_two_rotors(air), {.wind = {8.0}, .rotor = "rea"}) ==
+        "the rotor is \"rea\", did you mean \"rear\"?");
+  CHECK(refused(make_rotor("", air), {.wind = {8.0}, .rotor = "rear"}) ==
+        "the rotor is \"rear\", expected no name: there is no [[rotor]]");
   CHECK(refused(make_rotor("", air), {}) ==
         "no wind speeds and no tip-speed ratios are given, expected either");
   CHECK(refused(make_rotor("", air), {.wind = {8.0, 9.0}, .tip_speed_ratio = {7.0}}) ==
