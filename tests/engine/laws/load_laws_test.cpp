@@ -49,15 +49,18 @@ const spatial::Body& find_body(const spatial::Subsystem& subsystem, const std::s
                        [&name](const spatial::Body& body) { return name.starts_with(body.name); });
 }
 
-/// Lets a load act on the last body of the first subsystem: on its tip, an interface, or a point
+/// Lets a load act on the last body of the first subsystem that is its own, no hub that it carries:
+/// on its tip, an interface, or a point
 /// beside its axes. Returns the place as a marker.
 Marker choose_place(const spatial::Model& model, spatial::PointLoad& load) {
   const spatial::Tree tree = spatial::build_trees(model).front();
   const spatial::Subsystem& subsystem = model.subsystems.front();
-  const spatial::Body& body = find_body(subsystem, tree.bodies.back().name);
+  std::size_t last = tree.bodies.size() - 1;
+  while (tree.bodies[last].is_hub()) --last;
+  const spatial::Body& body = find_body(subsystem, tree.bodies[last].name);
   load.place.subsystem = subsystem.name;
   load.place.body = body.name;
-  Marker marker{0, static_cast<int>(tree.bodies.size()) - 1, 0.0};
+  Marker marker{0, static_cast<int>(last), 0.0};
   if (std::holds_alternative<spatial::RigidBody>(body.shape))
     load.point = marker.point = {0.1, 0.02, -0.03};
   else if (const auto* solid = std::get_if<spatial::SolidBody>(&body.shape))
