@@ -118,7 +118,7 @@ namespace {
 
 /// Finds the blade or subsystem, by its ends, that a joint names.
 Fault find_elsewhere(const CoupledJoint& at, const Model& model, CouplingEnds& ends) {
-  if (Fault fault = find_tree_fault(at.blade, at.subsystem, model)) return fault;
+  if (Fault fault = find_tree_fault({at.blade, at.subsystem}, model)) return fault;
   if (at.subsystem.empty()) {
     ends = ends_of(model.blades[static_cast<std::size_t>(at.blade) - 1]);
     return {};
@@ -128,11 +128,10 @@ Fault find_elsewhere(const CoupledJoint& at, const Model& model, CouplingEnds& e
   return {};
 }
 
-/// Finds a fault of couplings whose joints are on several blades or subsystems. `is_own`: whether
-/// such a joint names the owner itself.
-template <class IsOwn>
+/// Finds a fault of couplings of `owner` whose joints are on several blades or subsystems. `own`:
+/// the owner's joints.
 Fault find_fault_across(const std::vector<Coupling>& couplings, const CouplingEnds& own,
-                        const Model& model, const IsOwn& is_own) {
+                        const Model& model, const TreeName& owner) {
   for (std::size_t k = 0; k < couplings.size(); ++k) {
     const std::string path = "coupling." + std::to_string(k + 1);
     const std::vector<CoupledJoint>& joints = couplings[k].joints;
@@ -143,7 +142,7 @@ Fault find_fault_across(const std::vector<Coupling>& couplings, const CouplingEn
       is_across = true;
       const std::string at = path + ".joints." + std::to_string(j + 1);
       if (Fault fault = find_elsewhere(joints[j], model, elsewhere[j])) return fault.within(at);
-      if (is_own(joints[j]))
+      if (TreeName{joints[j].blade, joints[j].subsystem} == owner)
         return Fault{joints[j].subsystem.empty() ? "blade" : "subsystem",
                      "is that of the coupling itself, expected none"}
             .within(at);
@@ -154,25 +153,17 @@ Fault find_fault_across(const std::vector<Coupling>& couplings, const CouplingEn
   return {};
 }
 
+CouplingEnds ends_on(const Blade& blade, const Model&) { return ends_of(blade); }
+CouplingEnds ends_on(const Subsystem& subsystem, const Model& model) {
+  return ends_of(subsystem, model);
+}
+
 }  // namespace
 
 Fault find_coupling_across_fault(const Model& model) {
-  for (std::size_t i = 0; i < model.blades.size(); ++i) {
-    const auto is_own = [i](const CoupledJoint& at) {
-      return at.subsystem.empty() && at.blade == static_cast<int>(i) + 1;
-    };
-    const Blade& blade = model.blades[i];
-    if (Fault fault = find_fault_across(blade.couplings, ends_of(blade), model, is_own))
-      return fault.within("blades." + std::to_string(i + 1));
-  }
-  for (std::size_t i = 0; i < model.subsystems.size(); ++i) {
-    const Subsystem& subsystem = model.subsystems[i];
-    const auto is_own = [&](const CoupledJoint& at) { return at.subsystem == subsystem.name; };
-    if (Fault fault =
-            find_fault_across(subsystem.couplings, ends_of(subsystem, model), model, is_own))
-      return fault.within(key_of_subsystem(model, i));
-  }
-  return {};
+  return find_in_trees(model, [&model](const auto& owner, const TreeName& name) {
+    return find_fault_across(owner.couplings, ends_on(owner, model), model, name);
+  });
 }
 
 }  // namespace spoke::spatial

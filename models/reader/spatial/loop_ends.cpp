@@ -19,6 +19,10 @@ Fault find_blade_fault(int blade, const Model& model) {
   const auto last = static_cast<int>(model.blades.size());
   if (last == 0) return {"blade", "is given, but there are no blades"};
   if (blade >= 1 && blade <= last) return {};
+  if (blade == kNextBlade)  // those of blades are numbers by now
+    return {"blade",
+            "is \"next\", but no blade comes before it; expected a whole number from 1 to " +
+                std::to_string(last)};
   return {"blade", "is " + std::to_string(blade) + ", expected a whole number from 1 to " +
                        std::to_string(last) + ", or \"next\""};
 }
@@ -50,12 +54,11 @@ Fault find_point_fault(const LoopPlace& place, const LoopSurroundings& around) {
   return {"point", "is on a beam, expected station along with it, from whose axis it is"};
 }
 
-/// Finds a fault of an end; `own`: whether that is on the blade or subsystem itself.
-template <class IsOwn>
-Fault find_end_fault(const LoopPlace& to, const Model& model, const IsOwn& is_own) {
+/// Finds a fault of an end of a loop that is `owner`'s.
+Fault find_end_fault(const LoopPlace& to, const Model& model, const TreeName& owner) {
   const bool is_blade = to.subsystem.empty();
-  if (Fault fault = find_tree_fault(to.blade, to.subsystem, model)) return fault;
-  if (is_own(to))
+  if (Fault fault = find_tree_fault({to.blade, to.subsystem}, model)) return fault;
+  if (TreeName{to.blade, to.subsystem} == owner)
     return {is_blade ? "blade" : "subsystem", "is that of the loop itself, expected none"};
   LoopSurroundings around;
   if (is_blade)
@@ -69,11 +72,10 @@ Fault find_end_fault(const LoopPlace& to, const Model& model, const IsOwn& is_ow
   return find_point_fault(there, around);
 }
 
-template <class IsOwn>
-Fault find_ends_fault(const std::vector<Loop>& loops, const Model& model, const IsOwn& is_own) {
+Fault find_ends_fault(const std::vector<Loop>& loops, const Model& model, const TreeName& owner) {
   for (std::size_t k = 0; k < loops.size(); ++k)
     if (is_elsewhere(loops[k].to))
-      if (Fault fault = find_end_fault(loops[k].to, model, is_own))
+      if (Fault fault = find_end_fault(loops[k].to, model, owner))
         return fault.within("to").within("loop." + std::to_string(k + 1));
   return {};
 }
@@ -89,37 +91,26 @@ void resolve_next_blades(Model& model) {
     } while (blades[next].rotor != blades[i].rotor);
     return static_cast<int>(next) + 1;
   };
-  for (std::size_t i = 0; i < blades.size(); ++i)
+  for (std::size_t i = 0; i < blades.size(); ++i) {
     for (Loop& loop : blades[i].loops)
       if (is_elsewhere(loop.to) && loop.to.blade == kNextBlade) loop.to.blade = next_of(i);
-  for (std::size_t i = 0; i < blades.size(); ++i)
     for (Coupling& coupling : blades[i].couplings)
       for (CoupledJoint& at : coupling.joints)
         if (at.blade == kNextBlade) at.blade = next_of(i);
+  }
 }
 
-Fault find_tree_fault(int blade, const std::string& subsystem, const Model& model) {
-  if (blade != 0 && !subsystem.empty())
+Fault find_tree_fault(const TreeName& name, const Model& model) {
+  if (name.blade != 0 && !name.subsystem.empty())
     return {"blade", "given along with subsystem, expected only one of them"};
-  return subsystem.empty() ? find_blade_fault(blade, model)
-                           : find_subsystem_fault(subsystem, model);
+  return name.subsystem.empty() ? find_blade_fault(name.blade, model)
+                                : find_subsystem_fault(name.subsystem, model);
 }
 
 Fault find_loop_end_fault(const Model& model) {
-  for (std::size_t i = 0; i < model.blades.size(); ++i) {
-    const auto is_own = [i](const LoopPlace& to) {
-      return to.subsystem.empty() && to.blade == static_cast<int>(i) + 1;
-    };
-    if (Fault fault = find_ends_fault(model.blades[i].loops, model, is_own))
-      return fault.within("blades." + std::to_string(i + 1));
-  }
-  for (std::size_t i = 0; i < model.subsystems.size(); ++i) {
-    const Subsystem& subsystem = model.subsystems[i];
-    const auto is_own = [&](const LoopPlace& to) { return to.subsystem == subsystem.name; };
-    if (Fault fault = find_ends_fault(subsystem.loops, model, is_own))
-      return fault.within(key_of_subsystem(model, i));
-  }
-  return {};
+  return find_in_trees(model, [&model](const auto& owner, const TreeName& name) {
+    return find_ends_fault(owner.loops, model, name);
+  });
 }
 
 }  // namespace spoke::spatial

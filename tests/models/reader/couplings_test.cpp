@@ -180,6 +180,9 @@ TEST_CASE("couplings with joints of other subsystems that cannot be are refused"
           {"subsystem = \"gears\", joint", "blade = 1, joint",
            "f.toml:32:13: subsystem.2.coupling.1.joints.2.blade: is given, but there are no "
            "blades"},
+          {"subsystem = \"gears\", joint", "blade = \"next\", joint",
+           "f.toml:32:13: subsystem.2.coupling.1.joints.2.blade: is given, but there are no "
+           "blades"},
           {"joint = \"jb\", ratio = -3", "joint = \"jd\", ratio = -3",
            "f.toml:32:34: subsystem.2.coupling.1.joints.2.joint: is \"jd\", did you mean \"ja\"?"},
           {"{ joint = \"js\", ratio = 1 }", "{ subsystem = \"gears\", joint = \"ja\", ratio = 1 }",
