@@ -332,7 +332,7 @@ struct Fuselage {
 /// Where the axle of the hub stands: on a support, or on a subsystem of another rotor.
 struct Axle {
   /// Name of the subsystem whose body carries it, one on the hub of a rotor of a lower number;
-  /// empty: the support.
+  /// empty: the support. A hub that is but a place there has next to no inertia, not the default.
   std::string subsystem{};
   /// Name of the body that carries it; empty: what the support stands on.
   std::string body{};

@@ -73,7 +73,13 @@ void read_other_rotors(const std::vector<TomlSection>& rotors, Model& model) {
         section.fail("suspension", "given along with [support], expected only one of them");
       hub = read_hub(section);
       // Before the subsystems, whose couplings may be on axles.
-      if (rotors[r].has("axle")) model.rotors.back().axle.subsystem = read_axle_carrier(rotors[r]);
+      std::string& carrier = model.rotors.back().axle.subsystem;
+      if (rotors[r].has("axle")) carrier = read_axle_carrier(rotors[r]);
+      // Such a hub may be but a place, to which the default of others would add.
+      if (!carrier.empty() && !section.has("inertia"))
+        section.fail("inertia",
+                     "is missing, expected that of a hub on a subsystem (kg m^2); of one that is "
+                     "but a place next to none, as 1e-6");
     }
     hub.name = read_name(rotors[r], "name");
     for (int before = 0; std::cmp_less(before, r); ++before)

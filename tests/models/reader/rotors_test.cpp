@@ -198,7 +198,7 @@ const std::string kNestedText = [] {
   std::string text = kRotorsText;
   return text.insert(text.find("[[hub_load]]"), R"([[rotor]]
 name = "top"
-hub = { mass = 0.1, drive = { kind = "fixed" } }
+hub = { inertia = 1e-6, drive = { kind = "fixed" } }
 axle = { subsystem = "paddle", body = "one", offset = [0.0, 0.2, 0.0] }
 [[subsystem]]
 name = "leaf"
@@ -245,6 +245,22 @@ TEST_CASE("rotors on subsystems that cannot be are refused") {
           {"body = \"fuselage\"\n", "subsystem = \"paddle\"\nbody = \"one\"\n",
            "f.toml:21:13: rotor.1.axle.subsystem: is \"paddle\", but the first rotor stands on the "
            "support; expected none"},
+          {"inertia = 1e-6, ", "",
+           "f.toml:55:7: rotor.3.hub.inertia: is missing, expected that of a hub on a subsystem "
+           "(kg "
+           "m^2); of one that is but a place next to none, as 1e-6"},
+          {"[integration]",
+           "[[load]]\nsubsystem = \"paddle\"\nbody = \"top.hub\"\nforce = [1, 0, 0]\n[integration]",
+           "f.toml:67:8: load.1.body: is \"top.hub\", expected a body of the subsystem; "
+           "[[hub_load]] "
+           "acts on the hub"},
+          {"[integration]",
+           "[[support.coupling]]\nname = \"c\"\njoints = [{ joint = \"tail.axle\", ratio = 1 }, { "
+           "blade "
+           "= \"next\", joint = \"b\", ratio = 1 }]\n[integration]",
+           "f.toml:67:57: support.coupling.1.joints.2.blade: is \"next\", but no blade comes "
+           "before "
+           "it; expected a whole number from 1 to 3"},
           {"child = \"one\"\n", "child = \"one\"\nname = \"top.axle\"\n",
            "f.toml:52:8: subsystem.1.joint.1.name: is \"top.axle\", which is the axle of a rotor; "
            "expected another name"},

@@ -320,3 +320,33 @@ TEST_CASE("a gondola that turns back as fast as its arm hangs from a circle: the
   CHECK(swing < small);
   CHECK(swing > 0.96 * small);  // damped, and beyond small angles
 }
+
+TEST_CASE("what is welded to a beam by a fixed hub pulls at it where it stands") {
+  // Strains are linear, so that the tension is that of the masses beyond, at rest.
+  const std::string head =
+      "world='space'\n[support]\nbody=[ { name='post', kind='rigid', mass=1, inertia=1 } ]\n"
+      "joint=[ { parent='ground', child='post', kind='fixed' } ]\n" +
+      hub("main", "kind='constant', speed=25", "body='post'");
+  const std::string boom = replace(kBoom, "strain='nonlinear'", "strain='linear'");
+  const std::string mass = "{ name='m', kind='rigid', mass=2, center=[0.1,0.3,0.2], inertia=1e-9 }";
+  const std::string joint = "{ parent='hub', child='boom', kind='fixed', orientation=[0,0.1,0] }";
+  const std::string tail =
+      "[[load]]\nsubsystem='s'\nbody='boom'\nforce=[0,3,5]\n[integration]\nduration=1\n";
+  const std::string as_one = head + "[[subsystem]]\nname='s'\nrotor='main'\nbody=[ " + boom + ", " +
+                             mass + " ]\njoint=[ " + joint +
+                             ", { parent='boom', child='m', kind='fixed' } ]\n" + tail;
+  const std::string as_two =
+      head +
+      "[[rotor]]\nname='weld'\nhub={ inertia=1e-7, drive={ kind='fixed' } }\n"
+      "axle={ subsystem='s', body='boom' }\n[[subsystem]]\nname='s'\nrotor='main'\nbody=[ " +
+      boom + " ]\njoint=[ " + joint + " ]\n[[subsystem]]\nname='m'\nrotor='weld'\nbody=[ " + mass +
+      " ]\njoint=[ { parent='hub', child='m', kind='fixed' } ]\n" + tail;
+  const auto find = [](const std::string& text) {
+    Run<Space> run(make_system(parse_model(text)), {Rk4{2e-4}});
+    run.advance(200);
+    return deformations(run);  // of the beam: nothing else moves freely
+  };
+  const Eigen::VectorXd one = find(as_one), two = find(as_two);
+  CHECK(one.norm() > 1e-3);
+  CHECK((one - two).norm() < 1e-5 * one.norm());  // the inertia of the hub, which is not none
+}
