@@ -95,10 +95,16 @@ std::vector<std::size_t> list_trees(const std::vector<spatial::Tree>& trees, int
 }
 
 std::vector<spatial::Tree> take_trees(const std::vector<spatial::Tree>& trees, int rotor) {
+  const std::vector<std::size_t> numbers = list_trees(trees, rotor);
   std::vector<spatial::Tree> taken;
-  for (const std::size_t i : list_trees(trees, rotor)) {
-    taken.push_back(trees[i]);
-    taken.back().rotor = 0;  // as in the model of this rotor alone
+  for (const std::size_t i : numbers) {
+    spatial::Tree& tree = taken.emplace_back(trees[i]);
+    tree.rotor = 0;  // as in the model of this rotor alone
+    for (spatial::LoopEnd& end : tree.ends) {
+      const auto own = std::lower_bound(numbers.begin(), numbers.end(), end.tree);
+      assert(own != numbers.end() && *own == end.tree);
+      end.tree = static_cast<std::size_t>(own - numbers.begin());
+    }
   }
   return taken;
 }

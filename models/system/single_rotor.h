@@ -20,7 +20,8 @@ int find_rotor(const spatial::Model& model, const std::string& name, const std::
 spatial::Model without_support(const spatial::Model& model, int rotor);
 
 /// Returns its trees, with the names that they have in the whole model. `trees`: those of
-/// build_trees() of the model.
+/// build_trees() of the model. Precondition: no loop of another rotor or of the support ends on
+/// them.
 std::vector<spatial::Tree> take_trees(const std::vector<spatial::Tree>& trees, int rotor);
 
 /// Returns the numbers of these trees among all.

@@ -3,6 +3,8 @@
 #include "engine/small_motions/steady/describe_equilibrium.h"
 
 #include <cassert>
+#include <map>
+#include <utility>
 
 #include "engine/small_motions/steady/supported_model.h"
 #include "engine/support/plain_zero.h"
@@ -16,9 +18,12 @@ void evaluate(std::size_t subsystem, const Eigen::VectorXd& q, SteadyModel& mode
   model.evaluate(subsystem, make_state(q), model.no_offset(), response);
 }
 
-BladeEquilibrium describe_subsystem(std::size_t subsystem, const Equilibrium& found,
-                                    SteadyModel& model) {
-  const Eigen::VectorXd& q = found.q[subsystem];
+/// Describes a subsystem by its own part of the equilibrium. Precondition: what loops tie it to was
+/// evaluated there.
+BladeEquilibrium describe_subsystem(const SubsystemPart& part, const Eigen::VectorXd& q,
+                                    const Eigen::VectorXd& multipliers) {
+  SteadyModel& model = *part.model;
+  const std::size_t subsystem = part.subsystem;
   BladeEquilibrium described;
   described.name = model.name_of(subsystem);
   const std::vector<SubsystemCoordinate>& coordinates = model.coordinates(subsystem);
@@ -61,8 +66,25 @@ BladeEquilibrium describe_subsystem(std::size_t subsystem, const Equilibrium& fo
     }
   for (const RootLoad& load : model.root_loads(subsystem))
     described.loads.push_back({load.body, load.station, load.force, load.moment});
-  described.loops = model.loop_loads(subsystem, found.multipliers[subsystem]);
+  described.loops = model.loop_loads(subsystem, multipliers);
   return described;
+}
+
+/// Describes the parts of all subsystems, in the order of the scenario.
+std::vector<BladeEquilibrium> describe_subsystems(const Equilibrium& found, SteadyModel& model) {
+  std::map<std::size_t, BladeEquilibrium> by_number;
+  const SupportedModel* machine = model.on_support();
+  for (std::size_t i = 0; i < model.subsystems(); ++i)
+    for (const SubsystemPart& part : model.members(i)) {
+      SubsystemResponse response;
+      model.evaluate(i, make_state(found, i), model.no_offset(), response);
+      BladeEquilibrium& own = by_number[part.number] =
+          describe_subsystem(part, part.part_of(found.q[i]), part.forces_of(found.multipliers[i]));
+      if (machine && !model.stands(i)) own.rotor = static_cast<int>(machine->rotor_of(i));
+    }
+  std::vector<BladeEquilibrium> list;
+  for (auto& [number, own] : by_number) list.push_back(std::move(own));
+  return list;
 }
 
 /// Adds what air does to a subsystem to what it does to its rotor.
@@ -108,13 +130,13 @@ EquilibriumResult describe(const Equilibrium& found, SteadyModel& model) {
   }
   const SupportedModel* machine = model.on_support();
   if (machine && machine->rotors() > 1) result.rotors = describe_rotors(found, *machine);
+  result.blades = describe_subsystems(found, model);
   for (std::size_t i = 0; i < model.subsystems(); ++i) {
-    BladeEquilibrium& own = result.blades.emplace_back(describe_subsystem(i, found, model));
-    if (machine && !model.stands(i)) own.rotor = static_cast<int>(machine->rotor_of(i));
     const std::optional<SubsystemAir> air = model.air(i);
     if (!air) continue;
-    if (own.rotor == 0) add(*air, result.air);
-    if (!result.rotors.empty()) add(*air, result.rotors[static_cast<std::size_t>(own.rotor)].air);
+    const std::size_t rotor = machine && !model.stands(i) ? machine->rotor_of(i) : 0;
+    if (rotor == 0) add(*air, result.air);
+    if (!result.rotors.empty()) add(*air, result.rotors[rotor].air);
   }
   if (machine) result.hub = place_hub(0, *machine);
   return result;

@@ -235,8 +235,9 @@ void require_regular(std::size_t subsystem, const Search& search, const SteadyMo
       model.coordinates(subsystem)[static_cast<std::size_t>(search.worst)].name;
   std::ostringstream text;
   text
-      << "no equilibrium found at " << model.speed() << " rad/s: " << model.name_of(subsystem)
-      << " / " << coordinate << " does not settle at " << 100.0 * share
+      << "no equilibrium found at " << model.speed()
+      << " rad/s: " << model.full_name(subsystem, coordinate) << " does not settle at "
+      << 100.0 * share
       << " % of loads and speed squared; take more bodies per blade, smaller loads, another speed, "
          "or springs for joints that nothing holds";
   throw DivergenceError(text.str(),
@@ -251,8 +252,8 @@ void keep(std::size_t subsystem, const Search& search, int steps, const SteadyMo
   result.iterations += search.iterations;
   result.last_change = std::max(result.last_change, search.last_change);
   if (const Tangent* tangent = search.tangent.get(); tangent && tangent->is_singular)
-    result.loose = model.name_of(subsystem) + " / " +
-                   model.coordinates(subsystem)[static_cast<std::size_t>(tangent->loose)].name;
+    result.loose = model.full_name(
+        subsystem, model.coordinates(subsystem)[static_cast<std::size_t>(tangent->loose)].name);
 }
 
 /// Finds the equilibrium of one subsystem, in as many load steps as it takes.

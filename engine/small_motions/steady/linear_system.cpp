@@ -168,7 +168,7 @@ Part Assembly::make_subsystem_part(std::size_t i) {
 
 LinearSignal Assembly::name_coordinate(std::size_t i, Index k) const {
   const SubsystemCoordinate& coordinate = model_.coordinates(i)[static_cast<std::size_t>(k)];
-  return {model_.name_of(i) + " / " + coordinate.name, coordinate.turns ? "rad" : "m"};
+  return {model_.full_name(i, coordinate.name), coordinate.turns ? "rad" : "m"};
 }
 
 /// Returns the forces of the inputs of a subsystem on its independent coordinates.

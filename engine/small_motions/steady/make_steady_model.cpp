@@ -44,26 +44,39 @@ void require_hub_anchors(const spatial::Model& model) {
           "from its support, and this anchor is on both; runs have it");
 }
 
-/// Refuses loops and couplings between subsystems, which a steady model takes one by one.
-void require_own_loops(const spatial::Model& model) {
-  const auto require = [](const std::vector<Loop>& loops, const std::vector<Coupling>& couplings,
-                          const std::string& key) {
+/// Returns what carries a tree: the number of a rotor, or -1, of the support.
+int find_carrier(const spatial::Model& model, std::size_t tree) {
+  if (tree < model.blades.size()) return model.blades[tree].rotor;
+  const spatial::Subsystem& subsystem = model.subsystems[tree - model.blades.size()];
+  return is_support(model, subsystem) ? -1 : subsystem.rotor;
+}
+
+/// Refuses loops and couplings between subsystems of different hubs, or of a hub and the support:
+/// these turn against one another.
+void require_loops_on_hubs(const spatial::Model& model) {
+  const auto require = [&model](std::size_t tree, const std::vector<Loop>& loops,
+                                const std::vector<Coupling>& couplings, const std::string& key) {
+    const auto is_on_hub = [&](std::size_t other) {
+      return find_carrier(model, other) == find_carrier(model, tree);
+    };
     for (std::size_t k = 0; k < couplings.size(); ++k)
       for (const CoupledJoint& at : couplings[k].joints)
-        if (at.is_elsewhere())
+        if (at.is_elsewhere() && !is_on_hub(spatial::find_tree(model, at.blade, at.subsystem)))
           throw InputError(key + ".coupling." + std::to_string(k + 1) +
-                           ".joints: are on several blades or subsystems, expected its own: a "
-                           "steady state takes them one by one; runs have it");
+                           ".joints: are on several hubs or a support, expected those of one: a "
+                           "steady state takes what turns by itself; runs have it");
     for (std::size_t k = 0; k < loops.size(); ++k)
-      if (loops[k].to.carrier == LoopPlace::Carrier::elsewhere)
+      if (loops[k].to.carrier == LoopPlace::Carrier::elsewhere &&
+          !is_on_hub(spatial::find_tree(model, loops[k].to)))
         throw InputError(key + ".loop." + std::to_string(k + 1) +
-                         ".to: is on another blade or subsystem, expected a place on its own: a "
-                         "steady state takes them one by one; runs have it");
+                         ".to: is on another hub or a support, expected a place on the same one: a "
+                         "steady state takes what turns by itself; runs have it");
   };
   for (std::size_t i = 0; i < model.blades.size(); ++i)
-    require(model.blades[i].loops, model.blades[i].couplings, "blades." + std::to_string(i + 1));
+    require(i, model.blades[i].loops, model.blades[i].couplings, "blades." + std::to_string(i + 1));
   for (std::size_t i = 0; i < model.subsystems.size(); ++i)
-    require(model.subsystems[i].loops, model.subsystems[i].couplings, key_of_subsystem(model, i));
+    require(model.blades.size() + i, model.subsystems[i].loops, model.subsystems[i].couplings,
+            key_of_subsystem(model, i));
 }
 
 /// Refuses rotors on others: what carries them turns, or is an unknown of another rotor.
@@ -96,7 +109,7 @@ std::unique_ptr<SteadyModel> make_spatial(const Scenario& scenario, const Steady
   const spatial::Model& model = *scenario.space;
   require_hub_anchors(model);
   require_free_axles(model);
-  require_own_loops(model);
+  require_loops_on_hubs(model);
   require_rotors_on_support(model);
   if (model.support) return make_supported(scenario, winds, options);
   const std::vector<spatial::Tree> trees = build_trees(model);

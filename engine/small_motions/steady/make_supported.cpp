@@ -11,6 +11,7 @@
 #include "engine/small_motions/steady/steady_mount.h"
 #include "engine/small_motions/steady/steady_system.h"
 #include "engine/small_motions/steady/supported_model.h"
+#include "engine/small_motions/steady/tied_model.h"
 #include "engine/step/model_memory.h"
 #include "engine/support/memory.h"
 #include "models/system/single_rotor.h"
@@ -23,8 +24,9 @@ namespace {
 struct MachineRotor {
   System<Space> system;
   std::vector<spatial::Tree> trees;
-  std::vector<std::size_t> numbers;  ///< of these among all trees
-  std::size_t blades = 0;            ///< how many of the trees are blades
+  std::vector<std::size_t> numbers;              ///< of these among all trees
+  std::vector<std::vector<std::size_t>> groups;  ///< of these, by group_subsystems()
+  std::size_t blades = 0;                        ///< how many of the trees are blades
   Ballast ballast;
 };
 
@@ -70,6 +72,7 @@ MachineRotor make_machine_rotor(const spatial::Model& model, int number,
   rotor.system = make_system(taken, rotor.trees, control);
   // All parts of a machine that is free fall alike.
   if (model.support->from == spatial::SupportBase::free) rotor.system.gravity.setZero();
+  rotor.groups = group_subsystems(rotor.system);
   require_memory(rotor.system, Formulation::structured);
   return rotor;
 }
@@ -78,6 +81,7 @@ std::shared_ptr<const Machine> make_machine(const spatial::Model& model, const S
                                             const SteadyOptions& options) {
   auto made = std::make_shared<Machine>();
   std::vector<spatial::Tree> trees = build_trees(model);
+  trees.back().ends.clear();  // of loops that pass through hubs, but are the rotors' own
   made->support_tree = {trees.back()};
   const solid::Control control{{}, available_memory()};
   std::vector<Ballast> ballasts;
@@ -155,7 +159,7 @@ RotorParts describe_rotor(const Scenario& scenario, int number,
   const Drive& drive = hub_of(model, number).drive;
   parts.name = hub_of(model, number).name;
   parts.prefix = prefix_of_rotor(model, number);
-  parts.subsystems = machine->rotors[at].numbers;
+  parts.trees = machine->rotors[at].numbers;
   parts.body = static_cast<int>(find_hub(machine->support_tree.front(), number));
   parts.speed = own.speed;
   parts.ballast = mass_of(machine->rotors[at].ballast);
@@ -165,6 +169,23 @@ RotorParts describe_rotor(const Scenario& scenario, int number,
   parts.has_torque = parts.turns_freely && !std::holds_alternative<FreeDrive>(drive);
   if (!prescribes_motion(drive)) parts.torque_slope = find_torque_slope(drive, own.speed);
   return parts;
+}
+
+/// Numbers the subsystems of all rotors as their first trees are in the scenario.
+void number_subsystems(const Machine& machine, SupportedParts& parts) {
+  std::vector<std::size_t> firsts;
+  for (const MachineRotor& rotor : machine.rotors)
+    for (const std::vector<std::size_t>& group : rotor.groups)
+      firsts.push_back(rotor.numbers[group.front()]);
+  std::sort(firsts.begin(), firsts.end());
+  for (std::size_t r = 0; r < machine.rotors.size(); ++r) {
+    const MachineRotor& rotor = machine.rotors[r];
+    parts.trees += rotor.trees.size();
+    for (const std::vector<std::size_t>& group : rotor.groups) {
+      const auto at = std::lower_bound(firsts.begin(), firsts.end(), rotor.numbers[group.front()]);
+      parts.rotors[r].subsystems.push_back(static_cast<std::size_t>(at - firsts.begin()));
+    }
+  }
 }
 
 }  // namespace
@@ -179,8 +200,10 @@ std::unique_ptr<SteadyModel> make_part(const System<Space>& system,
     make_reading_rings(data);
     return columns;
   };
-  return std::make_unique<SteadySystem<Space>>(SystemMaker<Space>{fill, place, loops},
-                                               name_subsystems(trees), options);
+  auto made = std::make_unique<SteadySystem<Space>>(SystemMaker<Space>{fill, place, loops},
+                                                    name_subsystems(trees), options);
+  if (system.shared_loops.empty()) return made;
+  return std::make_unique<TiedModel>(std::move(made));
 }
 
 std::unique_ptr<SteadyModel> make_supported(const Scenario& scenario, const SteadyWinds& winds,
@@ -190,6 +213,7 @@ std::unique_ptr<SteadyModel> make_supported(const Scenario& scenario, const Stea
   SupportedParts parts;
   for (int r = 0; r < count_rotors(model); ++r)
     parts.rotors.push_back(describe_rotor(scenario, r, machine, options));
+  number_subsystems(*machine, parts);
   parts.support =
       [=, hubs = parts.rotors, sensors = choose_support_sensors(scenario.sensors),
        loops = make_loop_limits(scenario.integration)](const std::vector<HubVector>& wrenches) {

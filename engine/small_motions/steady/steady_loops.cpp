@@ -65,7 +65,7 @@ void put_bearings(const System<World>& system, std::size_t i, std::vector<Closur
   const Subsystem<World>& subsystem = system.subsystems[i];
   for (std::size_t k = 0; k < subsystem.loops.size(); ++k) {
     const LoopModel& loop = subsystem.loops[k];
-    if (!loop.bearing) continue;
+    if (!loop.bearing || loop.is_share) continue;
     const auto [from, to] = calc_place_motions(system, i, loop, 0.0, data);
     const Eigen::Matrix2d K =
         loop.bearing->at(calc_bearing_speed(*loop.bearing, from, to)).stiffness;
@@ -96,7 +96,6 @@ void put_loops(const System<World>& system, std::size_t i, const SubsystemState&
   response.openings.resize(count);
   response.multipliers.setZero(count);
   if (count == 0) return;
-  calc_loop_motion(system, i, 0.0, {}, data);
   if (!state.holds_springs) put_bearings(system, i, rows, data);
   const auto& states = data.subsystems[i].loops.states;
   for (Eigen::Index r = 0; r < count; ++r)
@@ -127,7 +126,7 @@ std::vector<LoopLoad> calc_loop_loads(const System<World>& system, std::size_t i
                                        static_cast<std::size_t>(multipliers.size()));
   for (std::size_t k = 0; k < system.subsystems[i].loops.size(); ++k) {
     const LoopModel& loop = system.subsystems[i].loops[k];
-    if (loop.is_coupling()) continue;
+    if (loop.is_coupling() || loop.is_share) continue;
     LoopLoad& load = loads.emplace_back();
     load.name = loop.name;
     const LoopVector reaction = calc_loop_reaction(system, i, k, 0.0, data, by_row);

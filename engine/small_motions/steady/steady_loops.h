@@ -19,9 +19,10 @@ template <class World>
 std::vector<ClosureRow> list_rows(const Subsystem<World>& subsystem,
                                   const SubsystemData<World>& data);
 
-/// Sets the states of the loops of subsystem `i`, and in `response` their openings and the forces
-/// of their rows; unless the state holds springs, in `rows` the stiffness that bearings with
-/// matrices have at its speeds. Precondition: kinematics in the table are those of the state.
+/// Sets in `response` the openings of the loops of subsystem `i` and the forces of their rows;
+/// unless the state holds springs, in `rows` the stiffness that bearings with matrices have at its
+/// speeds. Shares of loops have what is set in the table: see share_loops(). Precondition: the
+/// states of all loops in the table are those of the state.
 template <class World>
 void put_loops(const System<World>& system, std::size_t i, const SubsystemState& state,
                std::vector<ClosureRow>& rows, StepData<World>& data, SubsystemResponse& response);

@@ -167,6 +167,25 @@ struct SteadyOptions {
   }
 };
 
+class SteadyModel;
+
+/// A subsystem of the scenario: a whole one of a model, or a member of a group that loops tie.
+struct SubsystemPart {
+  SteadyModel* model = nullptr;  ///< in which it is a subsystem of its own
+  std::size_t subsystem = 0;     ///< its number there
+  std::size_t number = 0;        ///< its number among all of the scenario
+  Eigen::Index first = 0;  ///< its first coordinate among those of the subsystem it is part of
+  Eigen::Index count = 0;  ///< its coordinates
+  std::vector<Eigen::Index> rows{};  ///< by row of its own loops the row among those there
+
+  /// Returns its own coordinates of those of the subsystem.
+  auto part_of(const auto& q) const { return q.segment(first, count); }
+  /// Returns the forces of the rows of its own loops.
+  Eigen::VectorXd forces_of(const Eigen::VectorXd& multipliers) const {
+    return multipliers.size() > 0 ? Eigen::VectorXd(multipliers(rows)) : multipliers;
+  }
+};
+
 class SupportedModel;
 
 class SteadyModel {
@@ -192,6 +211,13 @@ class SteadyModel {
   virtual std::string prefix_of(std::size_t) const { return {}; }
   virtual std::size_t subsystems() const = 0;
   virtual const std::string& name_of(std::size_t subsystem) const = 0;
+  /// Returns the name of something within a subsystem with that of the subsystem.
+  virtual std::string full_name(std::size_t subsystem, const std::string& inner) const {
+    return name_of(subsystem) + " / " + inner;
+  }
+  /// Returns the scenario's subsystems that a subsystem consists of: one, unless loops between them
+  /// tie several.
+  virtual std::vector<SubsystemPart> members(std::size_t subsystem);
   virtual const std::vector<std::string>& body_names(std::size_t subsystem) const = 0;
   virtual const std::vector<SubsystemCoordinate>& coordinates(std::size_t subsystem) const = 0;
   /// Returns the solids of a subsystem, undeformed.
@@ -324,6 +350,12 @@ class SteadyModel {
  protected:
   double speed_ = 0.0;
 };
+
+inline std::vector<SubsystemPart> SteadyModel::members(std::size_t subsystem) {
+  SubsystemPart part{this, subsystem, subsystem, 0, std::ssize(coordinates(subsystem)), {}};
+  for (Eigen::Index r = 0; r < std::ssize(closure_rows(subsystem)); ++r) part.rows.push_back(r);
+  return {part};
+}
 
 /// Holds the delayed states of actors on a subsystem, as SteadyModel::hold_states(), at those of a
 /// state while it lives: motions that are fast beside the inflow leave it as it is.

@@ -125,7 +125,6 @@ template <class World>
 void SteadySystem<World>::set_outputs(std::vector<SensorColumn> columns) {
   static constexpr const char* kAxes[] = {"x", "y", "z"};
   columns_.resize(subsystems());
-  outputs_.resize(subsystems());
   for (std::size_t i = 0; i < subsystems(); ++i)
     for (int c = 0; c < World::kPosition; ++c)
       outputs_[i].push_back({names_[i].sensors + ".tip." + kAxes[c], "m"});

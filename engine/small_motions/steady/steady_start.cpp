@@ -3,6 +3,7 @@
 #include "engine/small_motions/steady/steady_start.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
 
 #include "engine/small_motions/steady/find_equilibrium.h"
@@ -58,8 +59,12 @@ std::vector<Eigen::VectorXd> solve_start(const Scenario& scenario) {
   const Equilibrium found = find_machine_equilibrium(*model);
   require_held(found);
   if (model->is_hub_free() || model->on_support()) require_steady_machine(*model, found);
+  std::map<std::size_t, Eigen::VectorXd> by_number;
+  for (std::size_t i = 0; i < model->subsystems(); ++i)
+    for (const SubsystemPart& part : model->members(i))
+      by_number[part.number] = part.model->absolute(part.subsystem, part.part_of(found.q[i]));
   std::vector<Eigen::VectorXd> q;
-  for (std::size_t i = 0; i < model->subsystems(); ++i) q.push_back(model->absolute(i, found.q[i]));
+  for (auto& [number, own] : by_number) q.push_back(std::move(own));
   if (const SupportedModel* machine = model->on_support()) add_axles(found, *machine, q.back());
   return q;
 }

@@ -64,12 +64,17 @@ SteadySystem<World>::SteadySystem(const SystemMaker<World>& maker,
   context_.integrator = {Rk4{1.0}, {}};
   context_.linear_range = 0.0;  // find_large_deflection() reports every deflection
   context_.loop_limits.has_started = true;
+  // The hub's motion is given: subsystems are taken one by one, and evaluate_tied() finds what is
+  // between them.
+  std::vector<SharedLoop> between = std::exchange(context_.system.shared_loops, {});
   allocate(context_);
   for (std::size_t i = 0; i < subsystems(); ++i) data(i).loops.use = use[i];
+  outputs_.resize(subsystems());
   if (options.has_outputs) set_outputs(maker.place_sensors(context_.system, context_.data));
   std::fill(context_.data.progress.begin(), context_.data.progress.end(),
             make_progress_between_steps(context_.integrator, 0, PassControl::kEvaluateOnly));
   graph_.emplace(build_step_graph(context_));
+  context_.system.shared_loops = std::move(between);
   find_nodes();
   for (std::size_t i = 0; i < subsystems(); ++i)
     rows_.push_back(list_rows(context_.system.subsystems[i], data(i)));
@@ -322,14 +327,30 @@ std::vector<LoopLoad> SteadySystem<World>::loop_loads(std::size_t subsystem,
   return calc_loop_loads(context_.system, subsystem, multipliers, context_.data);
 }
 
+/// Runs the nodes of kinematics and terms at a state, and sets the states of the loops that are the
+/// subsystem's alone.
+template <class World>
+void SteadySystem<World>::calc_terms(std::size_t subsystem, const SubsystemState& state,
+                                     const HubOffset& hub) {
+  place(subsystem, state);
+  data(subsystem).prescribed = hub_motion(hub);
+  for (const graph::NodeId node : terms_[subsystem]) graph_->run_node(node);
+  if (!rows_[subsystem].empty())
+    calc_loop_motion(context_.system, subsystem, 0.0, {}, context_.data);
+}
+
 template <class World>
 void SteadySystem<World>::evaluate(std::size_t subsystem, const SubsystemState& state,
                                    const HubOffset& hub, SubsystemResponse& response) {
-  place(subsystem, state);
-  SubsystemData<World>& own = data(subsystem);
-  own.prescribed = hub_motion(hub);
-  for (const graph::NodeId node : terms_[subsystem]) graph_->run_node(node);
+  calc_terms(subsystem, state, hub);
   put_loops(context_.system, subsystem, state, rows_[subsystem], context_.data, response);
+  sum_response(subsystem, response);
+}
+
+/// Adds up the forces, those of rows by `response.multipliers` among them.
+template <class World>
+void SteadySystem<World>::sum_response(std::size_t subsystem, SubsystemResponse& response) {
+  SubsystemData<World>& own = data(subsystem);
   calc_forces(context_.system.subsystems[subsystem], own, response);
   response.is_valid =
       response.force.allFinite() && response.openings.allFinite() &&
@@ -340,7 +361,10 @@ void SteadySystem<World>::evaluate(std::size_t subsystem, const SubsystemState& 
 template <class World>
 Eigen::VectorXd SteadySystem<World>::accelerations(std::size_t subsystem) {
   assert(subsystem < subsystems());
-  for (const graph::NodeId node : solution_[subsystem]) graph_->run_node(node);
+  for (const graph::NodeId node : solution_[subsystem]) {
+    put_shared_forces(subsystem);
+    graph_->run_node(node);
+  }
   Eigen::VectorXd a(std::ssize(coordinates_[subsystem]));
   Eigen::Index at = 0;
   for (const BodyData<World>& body : data(subsystem).bodies) {
@@ -397,6 +421,8 @@ template Eigen::VectorXd SteadySystem<Plane>::absolute(std::size_t, const Eigen:
 template void SteadySystem<Plane>::put_bodies(std::size_t, const Eigen::VectorXd&,
                                               const Eigen::VectorXd&);
 template Eigen::VectorXd SteadySystem<Plane>::take_bodies(std::size_t) const;
+template void SteadySystem<Plane>::calc_terms(std::size_t, const SubsystemState&, const HubOffset&);
+template void SteadySystem<Plane>::sum_response(std::size_t, SubsystemResponse&);
 template void SteadySystem<Plane>::evaluate(std::size_t, const SubsystemState&, const HubOffset&,
                                             SubsystemResponse&);
 template Eigen::VectorXd SteadySystem<Plane>::accelerations(std::size_t);
@@ -421,6 +447,8 @@ template Eigen::VectorXd SteadySystem<Space>::absolute(std::size_t, const Eigen:
 template void SteadySystem<Space>::put_bodies(std::size_t, const Eigen::VectorXd&,
                                               const Eigen::VectorXd&);
 template Eigen::VectorXd SteadySystem<Space>::take_bodies(std::size_t) const;
+template void SteadySystem<Space>::calc_terms(std::size_t, const SubsystemState&, const HubOffset&);
+template void SteadySystem<Space>::sum_response(std::size_t, SubsystemResponse&);
 template void SteadySystem<Space>::evaluate(std::size_t, const SubsystemState&, const HubOffset&,
                                             SubsystemResponse&);
 template Eigen::VectorXd SteadySystem<Space>::accelerations(std::size_t);

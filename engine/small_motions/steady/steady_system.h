@@ -28,6 +28,11 @@ struct SystemMaker {
   LoopLimits loops{};
 };
 
+/// Returns the subsystems in the groups that loops between them tie, in the order of their first
+/// ones; those that none ties are groups of their own.
+template <class World>
+std::vector<std::vector<std::size_t>> group_subsystems(const System<World>& system);
+
 template <class World>
 class SteadySystem final : public SteadyModel {
  public:
@@ -63,6 +68,13 @@ class SteadySystem final : public SteadyModel {
   void settle_at(std::size_t subsystem, const Eigen::VectorXd& absolute) override;
   void evaluate(std::size_t subsystem, const SubsystemState& state, const HubOffset& hub,
                 SubsystemResponse& response) override;
+  /// As evaluate(), for all subsystems of a group at once: `states` and `responses` by member. Of a
+  /// loop between them the rows of its own subsystem count, and those of its shares follow. Until
+  /// the next such call accelerations() have the forces of these rows.
+  void evaluate_tied(const std::vector<std::size_t>& group,
+                     const std::vector<SubsystemState>& states, const HubOffset& hub,
+                     std::vector<SubsystemResponse>& responses);
+  const System<World>& system() const { return context_.system; }
   const Eigen::MatrixXd& stiffness(std::size_t subsystem) override;
   Eigen::VectorXd accelerations(std::size_t subsystem) override;
   SubsystemMatrices matrices(std::size_t subsystem) override;
@@ -102,6 +114,9 @@ class SteadySystem final : public SteadyModel {
   void hold_hub();
   void blow(bool is_axial, bool is_whole);
   void place(std::size_t subsystem, const SubsystemState& state);
+  void calc_terms(std::size_t subsystem, const SubsystemState& state, const HubOffset& hub);
+  void sum_response(std::size_t subsystem, SubsystemResponse& response);
+  void put_shared_forces(std::size_t subsystem);
   void put_bodies(std::size_t subsystem, const Eigen::VectorXd& q, const Eigen::VectorXd& v);
   Eigen::VectorXd take_bodies(std::size_t subsystem) const;
   PrescribedHub<World> hub_motion(const HubOffset& offset) const;
@@ -132,6 +147,8 @@ class SteadySystem final : public SteadyModel {
   std::vector<std::vector<SubsystemCoordinate>> coordinates_;
   std::vector<std::vector<ClosureRow>> rows_;
   std::vector<std::string> standing_springs_;  ///< names of loops by subsystem, if the hub turns
+  /// By subsystem: forces of the rows of its loops, of which those of shares count.
+  std::vector<Eigen::VectorXd> shared_forces_;
   std::vector<std::vector<Eigen::VectorXd>> q_elastic_, v_elastic_;  ///< flex vectors by body
   std::vector<Eigen::MatrixXd> stiffness_;
   std::vector<Eigen::Matrix3d> tip_axes_;  ///< undeformed, by subsystem

@@ -2,6 +2,8 @@
 
 #include "engine/small_motions/steady/subsystem_names.h"
 
+#include <cstdlib>
+
 #include "models/tree/sensor_place.h"
 
 namespace spoke {
@@ -26,7 +28,27 @@ SubsystemNames name_subsystem(const spatial::Tree& tree) {
   return names;
 }
 
+/// Returns the number of a blade by its name; 0: it is none.
+int number_of_blade(const std::string& name) {
+  const std::string word = "blade ";
+  return name.starts_with(word) ? std::atoi(name.c_str() + word.size()) : 0;
+}
+
 }  // namespace
+
+std::string join_names(const std::vector<std::string>& names) {
+  bool is_row = names.size() > 1;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const int number = number_of_blade(names[k]);
+    is_row = is_row && number > 0 && (k == 0 || number == number_of_blade(names[k - 1]) + 1);
+  }
+  if (is_row)
+    return "blades " + std::to_string(number_of_blade(names.front())) + " to " +
+           std::to_string(number_of_blade(names.back()));
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
 
 std::vector<SubsystemNames> name_subsystems(const Rotor& rotor) {
   std::vector<SubsystemNames> names;

@@ -19,6 +19,9 @@ struct SubsystemNames {
   double azimuth = 0.0;  ///< [rad]
 };
 
+/// Returns names of subsystems as "blade 1", "blades 1 to 3" or "blade 1, blade 3".
+std::string join_names(const std::vector<std::string>& names);
+
 /// Names the blades of a rotor in the plane, whose joints have no names.
 std::vector<SubsystemNames> name_subsystems(const Rotor& rotor);
 std::vector<SubsystemNames> name_subsystems(const std::vector<spatial::Tree>& trees);

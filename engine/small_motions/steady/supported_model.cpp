@@ -70,6 +70,13 @@ bool SupportedModel::turns() const {
                      [](const RotorParts& rotor) { return rotor.speed != 0.0; });
 }
 
+std::vector<SubsystemPart> SupportedModel::members(std::size_t i) {
+  std::vector<SubsystemPart> members = of(i).members(in(i));
+  for (SubsystemPart& part : members)
+    part.number = stands(i) ? parts_.trees : parts(rotor_of(i)).trees[part.number];
+  return members;
+}
+
 std::string SupportedModel::name_rotors(const std::vector<double>& motions) const {
   constexpr double kAlike = 0.5;  // of the largest
   if (rotors() == 1 || motions.empty()) return {};

@@ -28,6 +28,7 @@ struct RotorParts {
   std::function<std::unique_ptr<SteadyModel>(const Eigen::Matrix3d& axes, DeadLoads loads)> make;
   std::string name;                     ///< of the rotor; may be empty where there is one
   std::string prefix;                   ///< of the names of its hub and axle
+  std::vector<std::size_t> trees;       ///< numbers of its trees in the scenario
   std::vector<std::size_t> subsystems;  ///< numbers of its subsystems in the supported model
   int body = 0;                         ///< of the support that is its hub
   double speed = 0.0;                   ///< [rad/s]
@@ -42,6 +43,7 @@ struct RotorParts {
 /// What a supported model is made of.
 struct SupportedParts {
   std::vector<RotorParts> rotors;  ///< one or more
+  std::size_t trees = 0;           ///< number of the trees of all rotors in the scenario
   /// Makes the support at rest: one subsystem, with the hubs among its bodies. `wrenches`: by rotor
   /// on its hub at its origin, inertial axes.
   std::function<std::unique_ptr<SteadyModel>(const std::vector<HubVector>& wrenches)> support;
@@ -97,6 +99,10 @@ class SupportedModel final : public SteadyModel {
 
   std::size_t subsystems() const override { return support_index() + 1; }
   const std::string& name_of(std::size_t i) const override { return of(i).name_of(in(i)); }
+  std::string full_name(std::size_t i, const std::string& inner) const override {
+    return of(i).full_name(in(i), inner);
+  }
+  std::vector<SubsystemPart> members(std::size_t i) override;
   const std::vector<std::string>& body_names(std::size_t i) const override {
     return of(i).body_names(in(i));
   }

@@ -39,10 +39,25 @@ struct Fixed {
   /// Returns the motion of the first blade of a pattern that has these coordinates y.
   SubsystemShape shape_of(std::size_t pattern, const VectorXcd& y, const VectorXcd& hub) const {
     const std::size_t i = first_of(pattern);
-    return calc_subsystem_shape(i, all.equilibrium.q[i], all.linear.motion_of(i, y, hub),
+    const VectorXcd own = family_of(pattern).put_first(y);
+    return calc_subsystem_shape(i, all.equilibrium.q[i], all.linear.motion_of(i, own, hub),
                                 all.model);
   }
+  /// Returns the mass matrix of the first blade of a pattern.
+  Eigen::MatrixXd mass_of(std::size_t pattern) const {
+    return family_of(pattern).take_first(all.linear.subsystem(first_of(pattern)).M);
+  }
 };
+
+/// Returns the independent coordinates of the first blade of a pattern.
+std::vector<steady::SubsystemCoordinate> list_of_blade(std::size_t pattern, const Fixed& fixed) {
+  std::vector<steady::SubsystemCoordinate> all =
+      list_independent(fixed.first_of(pattern), fixed.all.linear, fixed.all.model);
+  const BladeRing& ring = fixed.family_of(pattern).ring;
+  if (!ring.is_tied) return all;
+  const auto first = all.begin() + ring.starts[0];
+  return {first, first + ring.size};
+}
 
 /// The motion of a pattern in a mode: that of a blade, y exp(i (w t + n psi_b)) as it turns along.
 struct PatternMotion {
@@ -95,7 +110,7 @@ PatternMotion describe_pair(const VectorXcd& cosine, const VectorXcd& sine, doub
 
 PatternMotion describe_pattern(std::size_t k, const Root& root, const Fixed& fixed) {
   const BladePattern& pattern = fixed.frame.patterns[k];
-  const Eigen::MatrixXd& M = fixed.all.linear.subsystem(fixed.first_of(k)).M;
+  const Eigen::MatrixXd M = fixed.mass_of(k);
   const VectorXcd first = root.x.segment(fixed.frame.start(k), pattern.size);
   const double frequency = std::abs(root.s.imag());
   if (pattern.is_pair)
@@ -183,7 +198,6 @@ Unnumbered describe(const Root& root, const Fixed& fixed, std::map<std::string, 
     found.kind = "hub";
     return found;
   }
-  const std::size_t i = fixed.first_of(found.pattern);
   if (const steady::SupportedModel* machine = fixed.all.model.on_support())
     found.rotors = machine->name_rotors(masses);
   const SubsystemShape shape =
@@ -193,8 +207,7 @@ Unnumbered describe(const Root& root, const Fixed& fixed, std::map<std::string, 
     return found;
   }
   found.kind = kinds[found.rotors + found.motion.name].name(
-      list_independent(i, fixed.all.linear, fixed.all.model), found.motion.y,
-      fixed.all.linear.subsystem(i).M, shape);
+      list_of_blade(found.pattern, fixed), found.motion.y, fixed.mass_of(found.pattern), shape);
   return found;
 }
 

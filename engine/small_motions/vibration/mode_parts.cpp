@@ -4,7 +4,11 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <cstddef>
+#include <map>
+#include <utility>
 
+#include "engine/small_motions/steady/subsystem_names.h"
 #include "engine/small_motions/steady/supported_model.h"
 #include "engine/support/dense.h"
 
@@ -12,16 +16,9 @@ namespace spoke::vibration {
 
 using steady::SteadyModel;
 std::string name_subsystems(const std::vector<std::size_t>& subsystems, const SteadyModel& model) {
-  const bool is_row =
-      subsystems.size() > 1 && subsystems.back() - subsystems.front() + 1 == subsystems.size();
-  const std::string& first = model.name_of(subsystems.front());
-  const std::string& last = model.name_of(subsystems.back());
-  const std::string word = "blade ";
-  if (is_row && first.starts_with(word) && last.starts_with(word))
-    return "blades " + first.substr(word.size()) + " to " + last.substr(word.size());
-  std::string list;
-  for (const std::size_t i : subsystems) list += (list.empty() ? "" : ", ") + model.name_of(i);
-  return list;
+  std::vector<std::string> names;
+  for (const std::size_t i : subsystems) names.push_back(model.name_of(i));
+  return join_names(names);
 }
 
 std::vector<std::size_t> find_like(std::size_t i, const std::vector<std::size_t>& alike) {
@@ -125,12 +122,62 @@ std::string name_rotors(const std::vector<double>& motions, const SteadyModel& m
   return machine->name_rotors(by_rotor);
 }
 
+namespace {
+
+/// A part of the values of a subsystem that belong to one of the scenario.
+struct Share {
+  std::size_t subsystem = 0;
+  std::ptrdiff_t first_node = 0, nodes = 0, first_solid = 0, solids = 0;
+};
+
+/// Lists the shares by the numbers of the scenario's subsystems.
+std::map<std::size_t, Share> list_shares(SteadyModel& model) {
+  std::map<std::size_t, Share> shares;
+  for (std::size_t i = 0; i < model.subsystems(); ++i) {
+    Share next{i};
+    for (const steady::SubsystemPart& part : model.members(i)) {
+      next.nodes = std::ssize(part.model->places(part.subsystem));
+      next.solids = std::ssize(part.model->solids(part.subsystem));
+      shares[part.number] = next;
+      next.first_node += next.nodes;
+      next.first_solid += next.solids;
+    }
+  }
+  return shares;
+}
+
+/// Takes a part of the values of a subsystem; of one that does not move there are none.
+template <class T>
+std::vector<T> take(const std::vector<T>& all, std::ptrdiff_t first, std::ptrdiff_t count) {
+  if (all.empty()) return {};
+  return {all.begin() + first, all.begin() + first + count};
+}
+
+}  // namespace
+
+void split_shapes(SteadyModel& model, ModesResult& result) {
+  const std::map<std::size_t, Share> shares = list_shares(model);
+  if (shares.size() == model.subsystems()) return;
+  for (Mode& mode : result.modes) {
+    const auto split = [&shares](auto& field, auto first, auto count) {
+      auto whole = std::exchange(field, {});
+      for (const auto& [number, share] : shares)
+        field.push_back(take(whole[share.subsystem], share.*first, share.*count));
+    };
+    split(mode.shape, &Share::first_node, &Share::nodes);
+    split(mode.rotations, &Share::first_node, &Share::nodes);
+    split(mode.solids, &Share::first_solid, &Share::solids);
+  }
+}
+
 std::vector<std::string> list_bodies(const Linearised& all) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < all.model.subsystems(); ++i) {
     if (all.linear.alike[i] != i) continue;
-    const std::string of = name_subsystems(find_like(i, all.linear.alike), all.model);
-    for (const std::string& body : all.model.body_names(i)) names.push_back(of + " / " + body);
+    const std::vector<std::size_t> like = find_like(i, all.linear.alike);
+    const std::string of = name_subsystems(like, all.model);
+    for (const std::string& body : all.model.body_names(i))
+      names.push_back(like.size() == 1 ? all.model.full_name(i, body) : of + " / " + body);
   }
   return names;
 }

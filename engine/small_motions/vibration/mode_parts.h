@@ -92,6 +92,10 @@ Features list_features(const SubsystemShape& shape);
 /// SupportedModel::name_rotors(). `motions`: by subsystem, as large as energies.
 std::string name_rotors(const std::vector<double>& motions, const steady::SteadyModel& model);
 
+/// Takes the shapes of subsystems that loops tie apart, so that each of the scenario has its own,
+/// in the order of these.
+void split_shapes(steady::SteadyModel& model, ModesResult& result);
+
 /// Returns the names of bodies for ModesResult::bodies.
 std::vector<std::string> list_bodies(const Linearised& all);
 

@@ -52,14 +52,33 @@ void require_even(const BladeFamily& family, const std::vector<std::string>& nam
   }
 }
 
+/// Returns the family of a ring of blades.
+BladeFamily make_ring(std::size_t subsystem, const BladeRing& ring, double speed,
+                      const std::vector<std::string>& names) {
+  if (!ring.is_even())
+    throw InputError(
+        "the frame \"fixed\" expects loops between blades to tie them alike all "
+        "around, as those of " +
+        names[subsystem] + " do not" + kElse);
+  BladeFamily family{{subsystem}, ring.azimuths};
+  family.speed = speed;
+  family.ring = ring;
+  return family;
+}
+
 std::vector<BladeFamily> find_families(const LinearModel& model,
                                        const std::vector<double>& azimuths,
                                        const std::vector<std::string>& names, double speed,
-                                       const std::vector<MatrixXd>& turns) {
+                                       const std::vector<MatrixXd>& turns,
+                                       const std::vector<BladeRing>& rings) {
   std::vector<BladeFamily> families;
   const auto is_shaft = [&](std::size_t i) { return !turns.empty() && turns[i].size() > 0; };
   for (std::size_t first = 0; first < model.alike.size(); ++first) {
     if (is_shaft(first)) families.push_back({{first}, {azimuths[first]}, turns[first], speed});
+    if (!rings.empty() && rings[first].is_tied) {
+      families.push_back(make_ring(first, rings[first], speed, names));
+      continue;
+    }
     if (model.alike[first] != first || model.subsystem(first).M.rows() == 0 || is_shaft(first))
       continue;
     BladeFamily& family = families.emplace_back();
@@ -82,15 +101,53 @@ MatrixXd make_pair(const MatrixXd& A, const MatrixXd& B) {
   return pair;
 }
 
+/// The matrices of a pattern of blades: of each alone, and of a ring with those of all others,
+/// which move by the cosine of n times the angle between them (`one`), and by its sine (`skew`).
+struct PatternMatrices {
+  LinearSubsystem one;
+  SecondOrder skew;
+};
+
+/// Returns those of a family at its multiple n.
+PatternMatrices sum_blades(const LinearSubsystem& all, const BladeRing& ring, int multiple) {
+  const Index n = ring.is_tied ? ring.size : all.M.rows();
+  const MatrixXd zero = MatrixXd::Zero(n, n);
+  PatternMatrices sum{all, {zero, zero, zero}};
+  if (!ring.is_tied) return sum;
+  const auto add = [&](MatrixXd LinearSubsystem::*matrix, MatrixXd* skew) {
+    const MatrixXd& whole = all.*matrix;
+    MatrixXd& even = sum.one.*matrix;
+    if (whole.size() == 0) return;
+    even = zero;
+    for (std::size_t k = 0; k < ring.starts.size(); ++k) {
+      const double angle =
+          multiple * kTurn * static_cast<double>(k) / static_cast<double>(ring.starts.size());
+      const auto block = whole.block(ring.starts[0], ring.starts[k], n, n);
+      even += (skew ? std::cos(angle) : 1.0) * block;
+      if (skew) *skew += std::sin(angle) * block;
+    }
+  };
+  add(&LinearSubsystem::M, &sum.skew.M);
+  add(&LinearSubsystem::C, &sum.skew.C);
+  add(&LinearSubsystem::K, &sum.skew.K);
+  add(&LinearSubsystem::K_terms, nullptr);
+  sum.one.round_off.force = all.round_off.force.segment(ring.starts[0], n);
+  sum.one.round_off.step = all.round_off.step.segment(ring.starts[0], n);
+  return sum;
+}
+
 /// Returns a pair's matrices: as y = a_c cos(n psi) + a_s sin(n psi), whose derivatives add
 /// n w (a_s cos - a_c sin) with the speed w of the hub, M y'' has 2 n w M (a_s', -a_c') and
-/// -(n w)^2 M a, and C y' has n w C (a_s, -a_c) besides.
-LinearSubsystem make_pair(const LinearSubsystem& one, double rate) {
-  const MatrixXd none = MatrixXd::Zero(one.M.rows(), one.M.cols());
+/// -(n w)^2 M a, and C y' has n w C (a_s, -a_c) besides. So has the skew part, which takes (a_c,
+/// a_s) to (a_s, -a_c) already.
+LinearSubsystem make_pair(const PatternMatrices& of, double rate) {
+  const LinearSubsystem& one = of.one;
+  const SecondOrder& skew = of.skew;
   LinearSubsystem pair;
-  pair.M = make_pair(one.M, none);
-  pair.C = make_pair(one.C, -2.0 * rate * one.M);
-  pair.K = make_pair(one.K - rate * rate * one.M, -rate * one.C);
+  pair.M = make_pair(one.M, -skew.M);
+  pair.C = make_pair(one.C - 2.0 * rate * skew.M, -skew.C - 2.0 * rate * one.M);
+  pair.K = make_pair(one.K - rate * rate * one.M - rate * skew.C,
+                     rate * rate * skew.M - skew.K - rate * one.C);
   const MatrixXd terms = one.K_terms.size() > 0 ? one.K_terms : MatrixXd(one.K.cwiseAbs());
   pair.K_terms =
       make_pair(terms + rate * rate * one.M.cwiseAbs(), std::abs(rate) * one.C.cwiseAbs())
@@ -104,12 +161,20 @@ LinearSubsystem make_pair(const LinearSubsystem& one, double rate) {
 struct AlongBlade {
   SecondOrder bh, hb;
 };
-AlongBlade turn_to_blade(const HubCoupling& coupling, double azimuth, const StandingAxes& axes) {
-  const MatrixXd T = axes.T.at(azimuth);
-  const SecondOrder standing = stand_columns({coupling.M_bh, coupling.C_bh, coupling.K_bh}, axes);
+AlongBlade turn_to_blade(const HubCoupling& coupling, const BladeFamily& family,
+                         const StandingAxes& axes) {
+  const MatrixXd T = axes.T.at(family.azimuths[0]);
+  const BladeRing& ring = family.ring;
+  const Index first = ring.is_tied ? ring.starts[0] : 0;
+  const Index n = ring.is_tied ? ring.size : coupling.M_bh.rows();
+  const auto rows = [&](const MatrixXd& m) { return MatrixXd(m.middleRows(first, n)); };
+  const auto columns = [&](const MatrixXd& m) {
+    return MatrixXd(T.transpose() * m.middleCols(first, n));
+  };
+  const SecondOrder standing =
+      stand_columns({rows(coupling.M_bh), rows(coupling.C_bh), rows(coupling.K_bh)}, axes);
   return {{standing.M * T, standing.C * T, standing.K * T},
-          {T.transpose() * coupling.M_hb, T.transpose() * coupling.C_hb,
-           T.transpose() * coupling.K_hb}};
+          {columns(coupling.M_hb), columns(coupling.C_hb), columns(coupling.K_hb)}};
 }
 
 HubCoupling make_coupling(const SecondOrder& bh, const SecondOrder& hb) {
@@ -212,21 +277,22 @@ void add_shaft(std::size_t number, const LinearModel& turning, const StandingAxe
 void add_family(std::size_t number, const LinearModel& turning, const StandingAxes& axes,
                 FixedFrame& frame) {
   const BladeFamily& family = frame.families[number];
-  const int count = static_cast<int>(family.blades.size());
+  const int count = static_cast<int>(family.azimuths.size());
   const std::size_t first = family.blades[0];
-  const LinearSubsystem& one = turning.subsystem(first);
-  const bool is_coupled = turning.is_coupled();
+  const bool is_coupled = turning.is_coupled(), is_ring = family.ring.is_tied;
   AlongBlade blade;
-  if (is_coupled) blade = turn_to_blade(turning.couplings[first], family.azimuths[0], axes);
+  if (is_coupled) blade = turn_to_blade(turning.couplings[first], family, axes);
   LinearModel& model = frame.model;
   const std::size_t collective = model.subsystems.size();
   for (int n = 0; 2 * n <= count; ++n) {
     const bool is_differential = n > 0 && 2 * n == count, is_pair = n > 0 && !is_differential;
-    model.alike.push_back(is_pair ? model.subsystems.size() : collective);
-    model.subsystems.push_back(is_pair  ? make_pair(one, n * axes.speed)
-                               : n == 0 ? one
-                                        : LinearSubsystem{});
-    frame.patterns.push_back({number, n, is_pair, is_differential, one.M.rows()});
+    const PatternMatrices of = sum_blades(turning.subsystem(first), family.ring, n);
+    const bool is_like = is_differential && !is_ring;  // the collective pattern
+    model.alike.push_back(is_like ? collective : model.subsystems.size());
+    model.subsystems.push_back(is_pair   ? make_pair(of, n * axes.speed)
+                               : is_like ? LinearSubsystem{}
+                                         : of.one);
+    frame.patterns.push_back({number, n, is_pair, is_differential, of.one.M.rows()});
     if (!is_coupled) continue;
     model.couplings.push_back(n == 0   ? couple_all(blade, count, axes)
                               : n == 1 ? couple_pair(blade, count, axes)
@@ -235,6 +301,18 @@ void add_family(std::size_t number, const LinearModel& turning, const StandingAx
 }
 
 }  // namespace
+
+Eigen::VectorXcd BladeFamily::put_first(const Eigen::VectorXcd& y) const {
+  if (!ring.is_tied) return y;
+  Eigen::VectorXcd all = Eigen::VectorXcd::Zero(ring.size * std::ssize(ring.starts));
+  all.segment(ring.starts[0], ring.size) = y;
+  return all;
+}
+
+MatrixXd BladeFamily::take_first(const MatrixXd& matrix) const {
+  if (!ring.is_tied) return matrix;
+  return matrix.block(ring.starts[0], ring.starts[0], ring.size, ring.size);
+}
 
 Index FixedFrame::start(std::size_t pattern) const {
   Index at = model.M.rows();
@@ -245,7 +323,7 @@ Index FixedFrame::start(std::size_t pattern) const {
 Eigen::Vector2d FixedFrame::shares(std::size_t pattern, std::size_t place, double psi) const {
   const BladePattern& own = patterns[pattern];
   const BladeFamily& family = families[own.family];
-  const double count = static_cast<double>(family.blades.size());
+  const double count = static_cast<double>(family.azimuths.size());
   if (own.is_differential) return {(place % 2 == 0 ? 1.0 : -1.0) / std::sqrt(count), 0.0};
   if (!own.is_pair) return {1.0 / std::sqrt(count), 0.0};
   const double angle = own.multiple * (family.azimuths[place] + psi);
@@ -255,29 +333,38 @@ Eigen::Vector2d FixedFrame::shares(std::size_t pattern, std::size_t place, doubl
 Eigen::VectorXcd FixedFrame::motion_of(std::size_t subsystem, const Eigen::VectorXcd& x,
                                        double psi) const {
   Eigen::VectorXcd y;
+  const auto add = [&](std::size_t k, std::size_t place, auto&& of_blade) {
+    const BladePattern& pattern = patterns[k];
+    const Eigen::Vector2d share = shares(k, place, psi);
+    of_blade += share[0] * x.segment(start(k), pattern.size);
+    if (pattern.is_pair) of_blade += share[1] * x.segment(start(k) + pattern.size, pattern.size);
+  };
   for (std::size_t k = 0; k < patterns.size(); ++k) {
     const BladePattern& pattern = patterns[k];
-    const std::vector<std::size_t>& blades = families[pattern.family].blades;
-    const auto found = std::find(blades.begin(), blades.end(), subsystem);
-    if (found == blades.end()) continue;
-    if (families[pattern.family].is_shaft())
-      return turn_by(families[pattern.family].turn, -psi) * x.segment(start(k), pattern.size);
-    const Eigen::Vector2d share = shares(k, static_cast<std::size_t>(found - blades.begin()), psi);
-    if (y.size() == 0) y = Eigen::VectorXcd::Zero(pattern.size);
-    y += share[0] * x.segment(start(k), pattern.size);
-    if (pattern.is_pair) y += share[1] * x.segment(start(k) + pattern.size, pattern.size);
+    const BladeFamily& family = families[pattern.family];
+    const auto found = std::find(family.blades.begin(), family.blades.end(), subsystem);
+    if (found == family.blades.end()) continue;
+    if (family.is_shaft()) return turn_by(family.turn, -psi) * x.segment(start(k), pattern.size);
+    const BladeRing& ring = family.ring;
+    const Index blades = ring.is_tied ? std::ssize(ring.starts) : 1;
+    if (y.size() == 0) y = Eigen::VectorXcd::Zero(blades * pattern.size);
+    for (std::size_t place = 0; place < ring.starts.size(); ++place)
+      add(k, place, y.segment(ring.starts[place], ring.size));
+    if (!ring.is_tied) add(k, static_cast<std::size_t>(found - family.blades.begin()), y);
   }
   return y;
 }
 
 FixedFrame make_fixed_frame(const LinearModel& turning, const std::vector<double>& azimuths,
                             const std::vector<std::string>& names, const StandingAxes& axes,
-                            const std::vector<MatrixXd>& turns) {
+                            const std::vector<MatrixXd>& turns,
+                            const std::vector<BladeRing>& rings) {
+  assert(rings.empty() || rings.size() == turning.alike.size());
   assert(turns.empty() || turns.size() == turning.alike.size());
   assert(azimuths.size() == turning.alike.size() && names.size() == turning.alike.size());
   FixedFrame frame;
   frame.fastest = std::abs(axes.speed);
-  frame.families = find_families(turning, azimuths, names, axes.speed, turns);
+  frame.families = find_families(turning, azimuths, names, axes.speed, turns, rings);
   frame.model.rate = turning.rate;
   if (turning.is_coupled()) add_hub(turning, axes, frame.model);
   for (std::size_t k = 0; k < frame.families.size(); ++k)

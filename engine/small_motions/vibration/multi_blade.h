@@ -18,15 +18,32 @@
 
 namespace spoke::vibration {
 
+/// Blades that loops between them tie, so that they are one subsystem of the rotor.
+struct BladeRing {
+  bool is_tied = false;  ///< whether there are such blades
+  // By blade in the order of ascending azimuths; empty: what ties them is not alike all around.
+  std::vector<double> azimuths{};      ///< at azimuth zero of the hub [rad]
+  std::vector<Eigen::Index> starts{};  ///< first of its coordinates among the independent ones
+  Eigen::Index size = 0;               ///< number of its coordinates
+
+  bool is_even() const { return !azimuths.empty(); }
+};
+
 /// Blades that are alike and stand at equal angles; or a shaft, which is a family of its own.
 struct BladeFamily {
-  std::vector<std::size_t> blades;  ///< subsystems, by ascending azimuth
-  std::vector<double> azimuths;     ///< of these, at azimuth zero of the hub [rad]
-  Eigen::MatrixXd turn{};           ///< of a shaft: see find_turn(); empty: it is none
-  double speed = 0.0;               ///< of its hub [rad/s]
-  std::size_t rotor = 0;            ///< that it is of, of several on a support
+  /// Subsystems, by ascending azimuth; of a ring the one that all of it is.
+  std::vector<std::size_t> blades;
+  std::vector<double> azimuths;  ///< of the blades, at azimuth zero of the hub [rad]
+  Eigen::MatrixXd turn{};        ///< of a shaft: see find_turn(); empty: it is none
+  double speed = 0.0;            ///< of its hub [rad/s]
+  std::size_t rotor = 0;         ///< that it is of, of several on a support
+  BladeRing ring{};              ///< not tied: it is none
 
   bool is_shaft() const { return turn.size() > 0; }
+  /// Returns the coordinates of the subsystem of the first blade, by those of this blade.
+  Eigen::VectorXcd put_first(const Eigen::VectorXcd& y) const;
+  /// Returns the part of a matrix of that subsystem that is the first blade's.
+  Eigen::MatrixXd take_first(const Eigen::MatrixXd& matrix) const;
 };
 
 /// Coordinates of a family that go together: a_0, a pair a_nc and a_ns below one another, or a_d;
@@ -62,12 +79,13 @@ struct FixedFrame {
 /// Takes a rotor, linearised in the frame that turns with its hub, to multi-blade coordinates.
 /// `azimuths`, `names`: of its subsystems, the latter for messages; `axes`: of the hub's
 /// coordinates; `turns`: by subsystem that of find_turn() if it is a shaft with constant matrices,
-/// else empty. Throws InputError, which says what to use instead, unless all other subsystems with
-/// coordinates are alike in families of three or more at equal angles, and the hub is alike in all
-/// directions across its axis.
+/// else empty; `rings`: by subsystem the blades of which it consists. Throws InputError, which says
+/// what to use instead, unless all other subsystems with coordinates are alike in families of three
+/// or more at equal angles, or in rings, and the hub is alike in all directions across its axis.
 FixedFrame make_fixed_frame(const steady::LinearModel& turning, const std::vector<double>& azimuths,
                             const std::vector<std::string>& names, const StandingAxes& axes,
-                            const std::vector<Eigen::MatrixXd>& turns = {});
+                            const std::vector<Eigen::MatrixXd>& turns = {},
+                            const std::vector<BladeRing>& rings = {});
 
 /// Joins rotors, each with all components of its hub, so that they follow one another.
 /// `subsystems`: by rotor, the numbers of its subsystems among all.

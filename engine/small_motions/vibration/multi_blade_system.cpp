@@ -356,7 +356,7 @@ void MultiBladeAssembly::add_support_outputs() {
     const steady::SubsystemCoordinate& coordinate = all_.model.coordinates(i)[k];
     if (coordinate.node >= 0) continue;
     C_.add(std::ssize(result_.outputs), 0, motion.row(static_cast<Index>(k)));
-    add_output({all_.model.name_of(i) + " / " + coordinate.name, coordinate.turns ? "rad" : "m"});
+    add_output({all_.model.full_name(i, coordinate.name), coordinate.turns ? "rad" : "m"});
   }
 }
 

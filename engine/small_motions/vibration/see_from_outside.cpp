@@ -7,6 +7,7 @@
 #include "engine/small_motions/steady/at_azimuth.h"
 #include "engine/small_motions/steady/joined_rotors.h"
 #include "engine/small_motions/steady/supported_model.h"
+#include "engine/small_motions/vibration/blade_rings.h"
 #include "engine/small_motions/vibration/fixed_modes.h"
 #include "engine/small_motions/vibration/shaft_turn.h"
 #include "models/error.h"
@@ -50,31 +51,35 @@ std::vector<Eigen::MatrixXd> find_turns(const Linearised& all) {
   return turns;
 }
 
-/// Takes a rotor on a support to multi-blade coordinates. `turns`: of all subsystems.
+/// Takes a rotor on a support to multi-blade coordinates. `turns`, `rings`: of all subsystems.
 FixedFrame see_rotor(std::size_t r, const Linearised& all,
-                     const std::vector<Eigen::MatrixXd>& turns) {
+                     const std::vector<Eigen::MatrixXd>& turns,
+                     const std::vector<BladeRing>& rings) {
   const steady::SupportedModel& machine = *all.model.on_support();
   const steady::RotorParts& rotor = machine.parts(r);
   std::vector<double> azimuths;
   std::vector<std::string> names;
   std::vector<Eigen::MatrixXd> own_turns;
+  std::vector<BladeRing> own_rings;
   for (const std::size_t i : rotor.subsystems) {
     azimuths.push_back(machine.azimuth(i));
     names.push_back(machine.name_of(i));
     own_turns.push_back(turns[i]);
+    own_rings.push_back(rings[i]);
   }
   return make_fixed_frame(steady::take_rotor(all.linear, r, rotor.subsystems), azimuths, names,
                           make_standing_axes(machine.free_components(), true, rotor.speed),
-                          own_turns);
+                          own_turns, own_rings);
 }
 
 /// Takes all rotors on a support there, each in its own turning frame.
 FixedFrame see_rotors(const steady::SupportedModel& machine, const Linearised& all,
                       const std::vector<Eigen::MatrixXd>& turns) {
+  const std::vector<BladeRing> rings = find_rings(all);
   std::vector<FixedFrame> rotors;
   std::vector<std::vector<std::size_t>> subsystems;
   for (std::size_t r = 0; r < machine.rotors(); ++r) {
-    rotors.push_back(see_rotor(r, all, turns));
+    rotors.push_back(see_rotor(r, all, turns, rings));
     subsystems.push_back(machine.parts(r).subsystems);
   }
   return join(rotors, subsystems);
@@ -88,7 +93,7 @@ bool is_even(std::size_t rotor, const Linearised& all) {
     if (all.model.stands(i) || all.model.on_support()->rotor_of(i) != rotor) turns[i].resize(0, 0);
   try {
     require_round(turns, all);
-    see_rotor(rotor, all, turns);
+    see_rotor(rotor, all, turns, find_rings(all));
     return true;
   } catch (const InputError&) {
     return false;
@@ -107,7 +112,7 @@ FixedFrame see_from_outside(const Linearised& all) {
   return make_fixed_frame(
       all.linear, all.model.azimuths(), names,
       make_standing_axes(all.model.free_components(), all.model.is_spatial(), all.model.speed()),
-      turns);
+      turns, find_rings(all));
 }
 
 }  // namespace spoke::vibration

@@ -260,6 +260,16 @@ void add_coupled_modes(const ModeCount& count, const Linearised& all, ModesResul
   }
 }
 
+void add_turning_modes(const ModeCount& count, const Linearised& all, ModesResult& result) {
+  if (all.linear.is_coupled()) return add_coupled_modes(count, all, result);
+  // Subsystems without coordinates have no modes.
+  for (std::size_t i = 0; i < all.model.subsystems(); ++i)
+    if (all.linear.alike[i] == i && all.linear.subsystem(i).M.rows() > 0)
+      add_modes_of_subsystem(i, count, all, result);
+  if (result.modes.empty())
+    throw InputError("nothing of the model moves, expected a body or a joint that does");
+}
+
 }  // namespace
 
 ModesResult vibration::make_modes(const LinearModel& linear, const Equilibrium& equilibrium,
@@ -273,23 +283,13 @@ ModesResult vibration::make_modes(const LinearModel& linear, const Equilibrium& 
   result.bodies = vibration::list_bodies(all);
   if (frame == ModeFrame::fixed) {
     vibration::add_fixed_modes(count, all, result);
-    return result;
-  }
-  if (frame == ModeFrame::floquet) {
+  } else if (frame == ModeFrame::floquet) {
     vibration::add_floquet_modes(count, all, whole, result);
-    return result;
+  } else {
+    steady::require_constant(linear, equilibrium, model);
+    add_turning_modes(count, all, result);
   }
-  steady::require_constant(linear, equilibrium, model);
-  if (linear.is_coupled()) {
-    add_coupled_modes(count, all, result);
-    return result;
-  }
-  // Subsystems without coordinates have no modes.
-  for (std::size_t i = 0; i < model.subsystems(); ++i)
-    if (linear.alike[i] == i && linear.subsystem(i).M.rows() > 0)
-      add_modes_of_subsystem(i, count, all, result);
-  if (result.modes.empty())
-    throw InputError("nothing of the model moves, expected a body or a joint that does");
+  vibration::split_shapes(model, result);
   return result;
 }
 
