@@ -13,21 +13,15 @@
 namespace spoke::steady {
 namespace {
 
-void evaluate(std::size_t subsystem, const Eigen::VectorXd& q, SteadyModel& model) {
-  SubsystemResponse response;
-  model.evaluate(subsystem, make_state(q), model.no_offset(), response);
-}
-
-/// Describes a subsystem by its own part of the equilibrium. Precondition: what loops tie it to was
-/// evaluated there.
-BladeEquilibrium describe_subsystem(const SubsystemPart& part, const Eigen::VectorXd& q,
-                                    const Eigen::VectorXd& multipliers) {
+/// Describes a subsystem before it deforms, where its joints are in equilibrium.
+BladeEquilibrium describe_undeformed(const SubsystemPart& part, const Eigen::VectorXd& q) {
   SteadyModel& model = *part.model;
   const std::size_t subsystem = part.subsystem;
   BladeEquilibrium described;
   described.name = model.name_of(subsystem);
+  described.rotor = part.rotor;
   const std::vector<SubsystemCoordinate>& coordinates = model.coordinates(subsystem);
-  Eigen::VectorXd rigid = q;  // joints as they are, bodies undeformed
+  Eigen::VectorXd rigid = q;
   const Eigen::VectorXd shown = model.absolute(subsystem, q);
   for (Eigen::Index k = 0; k < q.size(); ++k) {
     const SubsystemCoordinate& coordinate = coordinates[static_cast<std::size_t>(k)];
@@ -36,7 +30,8 @@ BladeEquilibrium describe_subsystem(const SubsystemPart& part, const Eigen::Vect
     else
       described.joints.push_back({coordinate.name, shown[k], coordinate.turns});
   }
-  evaluate(subsystem, rigid, model);
+  SubsystemResponse response;
+  model.evaluate(subsystem, make_state(rigid), model.no_offset(), response);
   for (const NodePlace& place : model.places(subsystem)) {
     described.bodies.push_back(place.body);
     described.undeformed.push_back(place.p);
@@ -45,14 +40,20 @@ BladeEquilibrium describe_subsystem(const SubsystemPart& part, const Eigen::Vect
   described.solids = model.solids(subsystem);
   for (SolidDeformation& solid : described.solids)
     solid.coordinates = find_deformation(coordinates, solid.body, q);
-  evaluate(subsystem, q, model);
+  return described;
+}
+
+/// Adds what a subsystem shows in equilibrium, at which its model was left with its accelerations.
+void add_equilibrium(const SubsystemPart& part, const Eigen::VectorXd& multipliers,
+                     BladeEquilibrium& described) {
+  SteadyModel& model = *part.model;
+  const std::size_t subsystem = part.subsystem;
   for (const NodePlace& place : model.places(subsystem)) {
     const Eigen::Matrix3d& before = described.undeformed_axes[described.nodes.size()];
     described.nodes.push_back(place.p);
     described.rotations.emplace_back(
         space::logarithm(space::Rotation{place.axes * before.transpose()}));
   }
-  model.accelerations(subsystem);
   const TipMotion tip = model.tip(subsystem);
   described.tip_displacement = tip.displacement;
   described.tip_rotation = tip.rotation;
@@ -67,21 +68,21 @@ BladeEquilibrium describe_subsystem(const SubsystemPart& part, const Eigen::Vect
   for (const RootLoad& load : model.root_loads(subsystem))
     described.loads.push_back({load.body, load.station, load.force, load.moment});
   described.loops = model.loop_loads(subsystem, multipliers);
-  return described;
 }
 
 /// Describes the parts of all subsystems, in the order of the scenario.
 std::vector<BladeEquilibrium> describe_subsystems(const Equilibrium& found, SteadyModel& model) {
   std::map<std::size_t, BladeEquilibrium> by_number;
-  const SupportedModel* machine = model.on_support();
-  for (std::size_t i = 0; i < model.subsystems(); ++i)
-    for (const SubsystemPart& part : model.members(i)) {
-      SubsystemResponse response;
-      model.evaluate(i, make_state(found, i), model.no_offset(), response);
-      BladeEquilibrium& own = by_number[part.number] =
-          describe_subsystem(part, part.part_of(found.q[i]), part.forces_of(found.multipliers[i]));
-      if (machine && !model.stands(i)) own.rotor = static_cast<int>(machine->rotor_of(i));
-    }
+  for (std::size_t i = 0; i < model.subsystems(); ++i) {
+    const std::vector<SubsystemPart> members = model.members(i);
+    for (const SubsystemPart& part : members)
+      by_number[part.number] = describe_undeformed(part, part.part_of(found.q[i]));
+    SubsystemResponse response;
+    model.evaluate(i, make_state(found, i), model.no_offset(), response);
+    model.accelerations(i);
+    for (const SubsystemPart& part : members)
+      add_equilibrium(part, part.forces_of(found.multipliers[i]), by_number[part.number]);
+  }
   std::vector<BladeEquilibrium> list;
   for (auto& [number, own] : by_number) list.push_back(std::move(own));
   return list;
@@ -95,23 +96,6 @@ void add(const SubsystemAir& air, std::optional<RotorAir>& rotor) {
   rotor->torque += air.torque;
 }
 
-HubPlace place_hub(std::size_t r, const SupportedModel& machine) {
-  const NodePlace hub = machine.hub_place(r);
-  return {hub.p, hub.axes};
-}
-
-std::vector<RotorEquilibrium> describe_rotors(const Equilibrium& found,
-                                              const SupportedModel& machine) {
-  std::vector<RotorEquilibrium> rotors;
-  for (std::size_t r = 0; r < machine.rotors(); ++r) {
-    const RotorParts& parts = machine.parts(r);
-    const HubVector& wrench = found.wrenches[r];
-    rotors.push_back({parts.name, plain_zero(parts.speed), place_hub(r, machine), wrench.head<3>(),
-                      wrench.tail<3>(), std::nullopt});
-  }
-  return rotors;
-}
-
 }  // namespace
 
 EquilibriumResult describe(const Equilibrium& found, SteadyModel& model) {
@@ -121,24 +105,34 @@ EquilibriumResult describe(const Equilibrium& found, SteadyModel& model) {
   result.iterations = found.iterations;
   result.load_steps = found.load_steps;
   result.last_change = found.last_change;
-  if (model.is_spatial()) {
-    result.hub_force = found.wrench.head<3>();
-    result.hub_moment = found.wrench.tail<3>();
-  } else {
-    result.hub_force.head<2>() = found.wrench.head<2>();
-    result.hub_moment.z() = found.wrench[2];
-  }
-  const SupportedModel* machine = model.on_support();
-  if (machine && machine->rotors() > 1) result.rotors = describe_rotors(found, *machine);
   result.blades = describe_subsystems(found, model);
-  for (std::size_t i = 0; i < model.subsystems(); ++i) {
-    const std::optional<SubsystemAir> air = model.air(i);
-    if (!air) continue;
-    const std::size_t rotor = machine && !model.stands(i) ? machine->rotor_of(i) : 0;
-    if (rotor == 0) add(*air, result.air);
-    if (!result.rotors.empty()) add(*air, result.rotors[rotor].air);
+  const std::vector<CarriedHub> hubs = model.carried_hubs(found.wrenches);
+  const HubVector& wrench = hubs.empty() ? found.wrench : hubs.front().wrench;
+  if (model.is_spatial()) {
+    result.hub_force = wrench.head<3>();
+    result.hub_moment = wrench.tail<3>();
+  } else {
+    result.hub_force.head<2>() = wrench.head<2>();
+    result.hub_moment.z() = wrench[2];
   }
-  if (machine) result.hub = place_hub(0, *machine);
+  if (!hubs.empty()) result.hub = HubPlace{hubs.front().place.p, hubs.front().place.axes};
+  for (const CarriedHub& hub : hubs) {
+    if (hubs.size() == 1) break;
+    result.rotors.push_back({hub.name,
+                             plain_zero(hub.speed),
+                             {hub.place.p, hub.place.axes},
+                             hub.wrench.head<3>(),
+                             hub.wrench.tail<3>(),
+                             std::nullopt});
+  }
+  for (std::size_t i = 0; i < model.subsystems(); ++i)
+    for (const SubsystemPart& part : model.members(i)) {
+      const std::optional<SubsystemAir> air = part.model->air(part.subsystem);
+      if (!air) continue;
+      if (part.rotor == 0) add(*air, result.air);
+      if (!result.rotors.empty())
+        add(*air, result.rotors[static_cast<std::size_t>(part.rotor)].air);
+    }
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include "engine/small_motions/steady/friction_at_rest.h"
 #include "engine/small_motions/steady/make_supported.h"
 #include "engine/small_motions/steady/mean_wind.h"
+#include "engine/small_motions/steady/standing_machine.h"
 #include "engine/small_motions/steady/steady_mount.h"
 #include "engine/small_motions/steady/steady_system.h"
 #include "engine/step/loops/loop_start.h"
@@ -33,85 +34,28 @@ std::unique_ptr<SteadyModel> make_planar(const Scenario& scenario, const SteadyO
       name_subsystems(rotor), options);
 }
 
-/// Refuses anchors beside the axle: of the rotor alone, which a steady model eliminates first,
-/// their forces would be the hub's.
-void require_hub_anchors(const spatial::Model& model) {
-  for (std::size_t i = 0; i < model.anchors.size(); ++i)
-    if (model.anchors[i].frame == Anchor::Frame::axle)
-      throw InputError(
-          "anchor." + std::to_string(i + 1) +
-          ".frame: is \"axle\", expected \"hub\": a steady state takes the rotor apart "
-          "from its support, and this anchor is on both; runs have it");
+bool turns(const SteadyOptions& options) {
+  return options.speed != 0.0 ||
+         std::any_of(options.further_speeds.begin(), options.further_speeds.end(),
+                     [](double speed) { return speed != 0.0; });
 }
 
-/// Returns what carries a tree: the number of a rotor, or -1, of the support.
-int find_carrier(const spatial::Model& model, std::size_t tree) {
-  if (tree < model.blades.size()) return model.blades[tree].rotor;
-  const spatial::Subsystem& subsystem = model.subsystems[tree - model.blades.size()];
-  return is_support(model, subsystem) ? -1 : subsystem.rotor;
-}
-
-/// Refuses loops and couplings between subsystems of different hubs, or of a hub and the support:
-/// these turn against one another.
-void require_loops_on_hubs(const spatial::Model& model) {
-  const auto require = [&model](std::size_t tree, const std::vector<Loop>& loops,
-                                const std::vector<Coupling>& couplings, const std::string& key) {
-    const auto is_on_hub = [&](std::size_t other) {
-      return find_carrier(model, other) == find_carrier(model, tree);
-    };
-    for (std::size_t k = 0; k < couplings.size(); ++k)
-      for (const CoupledJoint& at : couplings[k].joints)
-        if (at.is_elsewhere() && !is_on_hub(spatial::find_tree(model, at.blade, at.subsystem)))
-          throw InputError(key + ".coupling." + std::to_string(k + 1) +
-                           ".joints: are on several hubs or a support, expected those of one: a "
-                           "steady state takes what turns by itself; runs have it");
-    for (std::size_t k = 0; k < loops.size(); ++k)
-      if (loops[k].to.carrier == LoopPlace::Carrier::elsewhere &&
-          !is_on_hub(spatial::find_tree(model, loops[k].to)))
-        throw InputError(key + ".loop." + std::to_string(k + 1) +
-                         ".to: is on another hub or a support, expected a place on the same one: a "
-                         "steady state takes what turns by itself; runs have it");
-  };
-  for (std::size_t i = 0; i < model.blades.size(); ++i)
-    require(i, model.blades[i].loops, model.blades[i].couplings, "blades." + std::to_string(i + 1));
-  for (std::size_t i = 0; i < model.subsystems.size(); ++i)
-    require(model.blades.size() + i, model.subsystems[i].loops, model.subsystems[i].couplings,
-            key_of_subsystem(model, i));
-}
-
-/// Refuses rotors on others: what carries them turns, or is an unknown of another rotor.
-void require_rotors_on_support(const spatial::Model& model) {
-  for (int r = 0; model.support && r < count_rotors(model); ++r)
-    if (const std::string& carrier = axle_of(model, r).subsystem; !carrier.empty())
-      throw InputError("rotor." + std::to_string(r + 1) + ".axle.subsystem: is \"" + carrier +
-                       "\", expected the support: a steady state has no rotor on what a rotor "
-                       "carries; runs have it");
-}
-
-/// Refuses couplings on axles: their coordinates are of a rotor and of the support.
-void require_free_axles(const spatial::Model& model) {
-  if (!model.support) return;
-  const std::vector<Coupling>& couplings = model.subsystems.back().couplings;
-  for (int r = 0; r < count_rotors(model); ++r) {
-    const std::string axle = prefix_of_rotor(model, r) + "axle";
-    for (std::size_t k = 0; k < couplings.size(); ++k)
-      for (const CoupledJoint& at : couplings[k].joints)
-        if (at.joint == axle)
-          throw InputError("support.coupling." + std::to_string(k + 1) + ": couples \"" + axle +
-                           "\": a steady state takes the rotor apart from its support, and this is "
-                           "on both; runs have it");
-  }
+[[noreturn]] void refuse_turning(const std::string& tie) {
+  throw InputError(tie +
+                   ": while hubs turn it changes with their azimuths, and a steady state is "
+                   "constant; runs have it, and steady states at rest");
 }
 
 /// Pitch by the azimuth has a mean whether a drive or torque turns the hub.
 std::unique_ptr<SteadyModel> make_spatial(const Scenario& scenario, const SteadyWinds& winds,
                                           const SteadyOptions& options) {
   const spatial::Model& model = *scenario.space;
-  require_hub_anchors(model);
-  require_free_axles(model);
-  require_loops_on_hubs(model);
-  require_rotors_on_support(model);
-  if (model.support) return make_supported(scenario, winds, options);
+  if (model.support) {
+    const std::string tie = find_tie_of_hubs(model);
+    if (!tie.empty() && turns(options)) refuse_turning(tie);
+    return tie.empty() ? make_supported(scenario, winds, options)
+                       : make_standing(scenario, winds, options);
+  }
   const std::vector<spatial::Tree> trees = build_trees(model);
   System<Space> system = make_system(model, trees, {{}, available_memory()});
   hold_mount(system.hub, options.instant);
@@ -139,9 +83,7 @@ std::unique_ptr<SteadyModel> make_steady_model(const Scenario& scenario,
 std::unique_ptr<SteadyModel> make_rotor_model(const Scenario& scenario, int rotor,
                                               const SteadyOptions& options) {
   assert(scenario.space);
-  require_hub_anchors(*scenario.space);
-  require_free_axles(*scenario.space);
-  require_rotors_on_support(*scenario.space);
+  if (const std::string tie = find_tie_of_hubs(*scenario.space); !tie.empty()) refuse_turning(tie);
   if (has_friction(scenario))
     return make_rotor_model(with_friction_at_rest(scenario), rotor, options);
   if (has_changing_wind(scenario))

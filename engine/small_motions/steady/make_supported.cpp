@@ -190,18 +190,26 @@ void number_subsystems(const Machine& machine, SupportedParts& parts) {
 
 }  // namespace
 
-std::unique_ptr<SteadyModel> make_part(const System<Space>& system,
-                                       const std::vector<Sensor>& sensors,
-                                       const std::vector<spatial::Tree>& trees, std::size_t blades,
-                                       const LoopLimits& loops, const SteadyOptions& options) {
+std::unique_ptr<SteadySystem<Space>> make_space(const System<Space>& system,
+                                                const std::vector<Sensor>& sensors,
+                                                const std::vector<spatial::Tree>& trees,
+                                                std::size_t blades, const LoopLimits& loops,
+                                                const SteadyOptions& options) {
   const auto fill = [&](System<Space>& copy) { copy = system; };
   const auto place = [&](const System<Space>& made, StepData<Space>& data) {
     std::vector<SensorColumn> columns = place_sensors(sensors, blades, trees, made, data);
     make_reading_rings(data);
     return columns;
   };
-  auto made = std::make_unique<SteadySystem<Space>>(SystemMaker<Space>{fill, place, loops},
-                                                    name_subsystems(trees), options);
+  return std::make_unique<SteadySystem<Space>>(SystemMaker<Space>{fill, place, loops},
+                                               name_subsystems(trees), options);
+}
+
+std::unique_ptr<SteadyModel> make_part(const System<Space>& system,
+                                       const std::vector<Sensor>& sensors,
+                                       const std::vector<spatial::Tree>& trees, std::size_t blades,
+                                       const LoopLimits& loops, const SteadyOptions& options) {
+  auto made = make_space(system, sensors, trees, blades, loops, options);
   if (system.shared_loops.empty()) return made;
   return std::make_unique<TiedModel>(std::move(made));
 }

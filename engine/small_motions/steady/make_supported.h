@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "engine/small_motions/steady/steady_model.h"
+#include "engine/small_motions/steady/steady_system.h"
 #include "engine/step/loops/loop_start.h"
 #include "models/space/space.h"
 #include "models/system/system.h"
@@ -20,8 +20,14 @@ struct SteadyWinds {
   const Wind* at_places = nullptr;
 };
 
-/// Makes a model of a system, or of a part of a machine. `trees`: its own; `blades`: how many of
-/// them are blades.
+/// Makes a model of a system as it is. `trees`: its own; `blades`: how many of them are blades.
+std::unique_ptr<SteadySystem<Space>> make_space(const System<Space>& system,
+                                                const std::vector<Sensor>& sensors,
+                                                const std::vector<spatial::Tree>& trees,
+                                                std::size_t blades, const LoopLimits& loops,
+                                                const SteadyOptions& options);
+/// Makes a model of a system, or of a part of a machine, in which subsystems that loops tie are
+/// one.
 std::unique_ptr<SteadyModel> make_part(const System<Space>& system,
                                        const std::vector<Sensor>& sensors,
                                        const std::vector<spatial::Tree>& trees, std::size_t blades,

@@ -23,6 +23,8 @@ Eigen::MatrixXd SteadySystem<World>::calc_twists(std::size_t subsystem) {
   const Eigen::VectorXd q = take_bodies(subsystem);
   Eigen::VectorXd v = Eigen::VectorXd::Zero(n);
   const PrescribedHub<World> kept = own.prescribed;
+  const HubState<World>* const carrier = std::exchange(own.hub, &own.prescribed.state);
+  own.prescribed.state = *carrier;
   for (Eigen::Index c = 0; c < twists.cols(); ++c) {
     const bool is_hub = c < World::kTwist;
     own.prescribed.state.twist = is_hub ? Twist(Twist::Unit(c)) : Twist(Twist::Zero());
@@ -35,6 +37,7 @@ Eigen::MatrixXd SteadySystem<World>::calc_twists(std::size_t subsystem) {
       twists.block(World::kTwist * j, c, World::kTwist, 1) =
           own.twists[static_cast<std::size_t>(j)];
   }
+  own.hub = carrier;
   own.prescribed = kept;
   return twists;
 }
@@ -106,10 +109,13 @@ Eigen::VectorXd SteadySystem<World>::momenta(std::size_t subsystem, const Eigen:
   SubsystemData<World>& own = data(subsystem);
   const Subsystem<World>& model = context_.system.subsystems[subsystem];
   const PrescribedHub<World> kept = own.prescribed;
+  const HubState<World>* const carrier = std::exchange(own.hub, &own.prescribed.state);
+  own.prescribed.state = *carrier;
   own.prescribed.state.twist = Twist::Zero();
   put_bodies(subsystem, take_bodies(subsystem), v);
   calc_rotations(model, own);
   calc_velocities(model, own);
+  own.hub = carrier;
   own.prescribed = kept;
   return calc_momenta(model, own, v);
 }

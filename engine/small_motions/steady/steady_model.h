@@ -174,6 +174,8 @@ struct SubsystemPart {
   SteadyModel* model = nullptr;  ///< in which it is a subsystem of its own
   std::size_t subsystem = 0;     ///< its number there
   std::size_t number = 0;        ///< its number among all of the scenario
+  int rotor = 0;                 ///< that carries it; of a support 0
+  bool is_carried = false;       ///< whether a hub that something moves carries it
   Eigen::Index first = 0;  ///< its first coordinate among those of the subsystem it is part of
   Eigen::Index count = 0;  ///< its coordinates
   std::vector<Eigen::Index> rows{};  ///< by row of its own loops the row among those there
@@ -184,6 +186,16 @@ struct SubsystemPart {
   Eigen::VectorXd forces_of(const Eigen::VectorXd& multipliers) const {
     return multipliers.size() > 0 ? Eigen::VectorXd(multipliers(rows)) : multipliers;
   }
+};
+
+/// The hub of a rotor on something that moves it.
+struct CarriedHub {
+  std::string name;         ///< of the rotor; may be empty where there is one
+  double speed = 0.0;       ///< [rad/s]
+  NodePlace place;          ///< in the frame of the base
+  HubVector wrench;         ///< of its carrier and the drive on it, along its axes [N, N m]
+  std::size_t carrier = 0;  ///< number of the scenario's subsystem that carries it
+  int body = 0;             ///< that it is there
 };
 
 class SupportedModel;
@@ -215,6 +227,11 @@ class SteadyModel {
   virtual std::string full_name(std::size_t subsystem, const std::string& inner) const {
     return name_of(subsystem) + " / " + inner;
   }
+  /// Whether rotors and their support, all at rest, are one subsystem.
+  virtual bool is_standing_machine() const { return false; }
+  /// Returns the hubs of rotors that something carries, where the model was evaluated last, with
+  /// these wrenches of an equilibrium; none if there is one hub, which is the model's.
+  virtual std::vector<CarriedHub> carried_hubs(const std::vector<HubVector>&) const { return {}; }
   /// Returns the scenario's subsystems that a subsystem consists of: one, unless loops between them
   /// tie several.
   virtual std::vector<SubsystemPart> members(std::size_t subsystem);
@@ -352,7 +369,8 @@ class SteadyModel {
 };
 
 inline std::vector<SubsystemPart> SteadyModel::members(std::size_t subsystem) {
-  SubsystemPart part{this, subsystem, subsystem, 0, std::ssize(coordinates(subsystem)), {}};
+  SubsystemPart part{this, subsystem, subsystem};
+  part.count = std::ssize(coordinates(subsystem));
   for (Eigen::Index r = 0; r < std::ssize(closure_rows(subsystem)); ++r) part.rows.push_back(r);
   return {part};
 }

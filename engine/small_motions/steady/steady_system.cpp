@@ -140,9 +140,11 @@ void SteadySystem<World>::find_nodes() {
   solution_.resize(subsystems());
   for (const graph::NodeId node : graph_->serial_order()) {
     const graph::NodeLabel& label = graph_->node(node).label;
+    const StageRole role = role_of(label.stage, context_.data);
+    if (role != StageRole::given && role != StageRole::terms && label.stage != stages::kFinish.name)
+      all_solutions_.push_back(node);
     if (label.subsystem < 0) continue;
     const auto subsystem = static_cast<std::size_t>(label.subsystem);
-    const StageRole role = role_of(label.stage, context_.data);
     if (role == StageRole::terms) terms_[subsystem].push_back(node);
     if (role == StageRole::solution) solution_[subsystem].push_back(node);
   }
@@ -333,25 +335,39 @@ template <class World>
 void SteadySystem<World>::calc_terms(std::size_t subsystem, const SubsystemState& state,
                                      const HubOffset& hub) {
   place(subsystem, state);
-  data(subsystem).prescribed = hub_motion(hub);
+  set_hub(subsystem, hub);
   for (const graph::NodeId node : terms_[subsystem]) graph_->run_node(node);
   if (!rows_[subsystem].empty())
     calc_loop_motion(context_.system, subsystem, 0.0, {}, context_.data);
+}
+
+/// Gives a subsystem the motion of the hub that carries it. One on a carrier follows that instead.
+template <class World>
+void SteadySystem<World>::set_hub(std::size_t subsystem, const HubOffset& hub) {
+  SubsystemData<World>& own = data(subsystem);
+  if (own.rotor >= 0) return;
+  own.prescribed = hub_motion(hub);
+  if (!context_.data.is_coupled) return;
+  context_.data.hub = own.prescribed.state;
+  context_.data.hub_solution.acceleration = own.prescribed.acceleration;
 }
 
 template <class World>
 void SteadySystem<World>::evaluate(std::size_t subsystem, const SubsystemState& state,
                                    const HubOffset& hub, SubsystemResponse& response) {
   calc_terms(subsystem, state, hub);
+  calc_frame_accelerations(context_.system.subsystems[subsystem], data(subsystem));
   put_loops(context_.system, subsystem, state, rows_[subsystem], context_.data, response);
-  sum_response(subsystem, response);
+  sum_response(subsystem, {}, response);
 }
 
 /// Adds up the forces, those of rows by `response.multipliers` among them.
 template <class World>
-void SteadySystem<World>::sum_response(std::size_t subsystem, SubsystemResponse& response) {
+void SteadySystem<World>::sum_response(std::size_t subsystem,
+                                       const std::vector<CarriedWrench<World>>& carried,
+                                       SubsystemResponse& response) {
   SubsystemData<World>& own = data(subsystem);
-  calc_forces(context_.system.subsystems[subsystem], own, response);
+  calc_forces(context_.system.subsystems[subsystem], carried, own, response);
   response.is_valid =
       response.force.allFinite() && response.openings.allFinite() &&
       std::none_of(own.bodies.begin(), own.bodies.end(),
@@ -365,6 +381,12 @@ Eigen::VectorXd SteadySystem<World>::accelerations(std::size_t subsystem) {
     put_shared_forces(subsystem);
     graph_->run_node(node);
   }
+  return take_accelerations(subsystem);
+}
+
+/// Returns the accelerations in the table.
+template <class World>
+Eigen::VectorXd SteadySystem<World>::take_accelerations(std::size_t subsystem) const {
   Eigen::VectorXd a(std::ssize(coordinates_[subsystem]));
   Eigen::Index at = 0;
   for (const BodyData<World>& body : data(subsystem).bodies) {
@@ -422,7 +444,10 @@ template void SteadySystem<Plane>::put_bodies(std::size_t, const Eigen::VectorXd
                                               const Eigen::VectorXd&);
 template Eigen::VectorXd SteadySystem<Plane>::take_bodies(std::size_t) const;
 template void SteadySystem<Plane>::calc_terms(std::size_t, const SubsystemState&, const HubOffset&);
-template void SteadySystem<Plane>::sum_response(std::size_t, SubsystemResponse&);
+template void SteadySystem<Plane>::sum_response(std::size_t,
+                                                const std::vector<CarriedWrench<Plane>>&,
+                                                SubsystemResponse&);
+template Eigen::VectorXd SteadySystem<Plane>::take_accelerations(std::size_t) const;
 template void SteadySystem<Plane>::evaluate(std::size_t, const SubsystemState&, const HubOffset&,
                                             SubsystemResponse&);
 template Eigen::VectorXd SteadySystem<Plane>::accelerations(std::size_t);
@@ -448,7 +473,10 @@ template void SteadySystem<Space>::put_bodies(std::size_t, const Eigen::VectorXd
                                               const Eigen::VectorXd&);
 template Eigen::VectorXd SteadySystem<Space>::take_bodies(std::size_t) const;
 template void SteadySystem<Space>::calc_terms(std::size_t, const SubsystemState&, const HubOffset&);
-template void SteadySystem<Space>::sum_response(std::size_t, SubsystemResponse&);
+template void SteadySystem<Space>::sum_response(std::size_t,
+                                                const std::vector<CarriedWrench<Space>>&,
+                                                SubsystemResponse&);
+template Eigen::VectorXd SteadySystem<Space>::take_accelerations(std::size_t) const;
 template void SteadySystem<Space>::evaluate(std::size_t, const SubsystemState&, const HubOffset&,
                                             SubsystemResponse&);
 template Eigen::VectorXd SteadySystem<Space>::accelerations(std::size_t);

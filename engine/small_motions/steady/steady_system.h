@@ -13,6 +13,7 @@
 #include "engine/small_motions/steady/steady_loads.h"
 #include "engine/small_motions/steady/steady_model.h"
 #include "engine/small_motions/steady/steady_wind.h"
+#include "engine/small_motions/steady/subsystem_forces.h"
 #include "engine/small_motions/steady/subsystem_names.h"
 #include "engine/step/step_context.h"
 #include "graph/step_graph.h"
@@ -28,8 +29,9 @@ struct SystemMaker {
   LoopLimits loops{};
 };
 
-/// Returns the subsystems in the groups that loops between them tie, in the order of their first
-/// ones; those that none ties are groups of their own.
+/// Returns the subsystems in the groups that are tied, by loops between them or as one carries the
+/// hub of another, in the order of their first ones; those that nothing ties are groups of their
+/// own.
 template <class World>
 std::vector<std::vector<std::size_t>> group_subsystems(const System<World>& system);
 
@@ -70,11 +72,16 @@ class SteadySystem final : public SteadyModel {
                 SubsystemResponse& response) override;
   /// As evaluate(), for all subsystems of a group at once: `states` and `responses` by member. Of a
   /// loop between them the rows of its own subsystem count, and those of its shares follow. Until
-  /// the next such call accelerations() have the forces of these rows.
+  /// the next such call accelerations() have the forces of these rows. Hubs follow what carries
+  /// them, to which `responses` hand up their forces; they are forces on the system's hub only of
+  /// what this carries.
   void evaluate_tied(const std::vector<std::size_t>& group,
                      const std::vector<SubsystemState>& states, const HubOffset& hub,
                      std::vector<SubsystemResponse>& responses);
+  /// As accelerations(), of all subsystems at once. Precondition: evaluate_tied() was called.
+  std::vector<Eigen::VectorXd> accelerations_tied(const std::vector<std::size_t>& group);
   const System<World>& system() const { return context_.system; }
+  const StepData<World>& table() const { return context_.data; }
   const Eigen::MatrixXd& stiffness(std::size_t subsystem) override;
   Eigen::VectorXd accelerations(std::size_t subsystem) override;
   SubsystemMatrices matrices(std::size_t subsystem) override;
@@ -115,7 +122,10 @@ class SteadySystem final : public SteadyModel {
   void blow(bool is_axial, bool is_whole);
   void place(std::size_t subsystem, const SubsystemState& state);
   void calc_terms(std::size_t subsystem, const SubsystemState& state, const HubOffset& hub);
-  void sum_response(std::size_t subsystem, SubsystemResponse& response);
+  void set_hub(std::size_t subsystem, const HubOffset& hub);
+  void sum_response(std::size_t subsystem, const std::vector<CarriedWrench<World>>& carried,
+                    SubsystemResponse& response);
+  Eigen::VectorXd take_accelerations(std::size_t subsystem) const;
   void put_shared_forces(std::size_t subsystem);
   void put_bodies(std::size_t subsystem, const Eigen::VectorXd& q, const Eigen::VectorXd& v);
   Eigen::VectorXd take_bodies(std::size_t subsystem) const;
@@ -144,6 +154,7 @@ class SteadySystem final : public SteadyModel {
   /// By subsystem, in the order of a pass: nodes of kinematics and terms, and the nodes behind
   /// them.
   std::vector<std::vector<graph::NodeId>> terms_, solution_;
+  std::vector<graph::NodeId> all_solutions_;  ///< all behind terms, those of no subsystem, too
   std::vector<std::vector<SubsystemCoordinate>> coordinates_;
   std::vector<std::vector<ClosureRow>> rows_;
   std::vector<std::string> standing_springs_;  ///< names of loops by subsystem, if the hub turns

@@ -170,15 +170,22 @@ void add_efforts(const LoopModel& loop, double size, const std::vector<Eigen::In
       on_coordinates[starts[static_cast<std::size_t>(at.body)] + at.component] += size * at.ratio;
 }
 
+}  // namespace
+
 template <class World>
-void sum_forces(const Subsystem<World>& subsystem, SubsystemData<World>& data,
-                SubsystemResponse& response) {
+void calc_frame_accelerations(const Subsystem<World>& subsystem, SubsystemData<World>& data) {
+  for (std::size_t j = 0; j < data.bodies.size(); ++j) data.bodies[j].X = carry(subsystem, data, j);
+}
+
+template <class World>
+void calc_forces(const Subsystem<World>& subsystem,
+                 const std::vector<CarriedWrench<World>>& carried, SubsystemData<World>& data,
+                 SubsystemResponse& response) {
   const std::vector<Eigen::Index> starts = find_starts(subsystem);
   std::vector<VectorXd> forces;
-  for (std::size_t j = 0; j < data.bodies.size(); ++j) {
-    data.bodies[j].X = carry(subsystem, data, j);
-    forces.push_back(calc_body_force(data.bodies[j]));
-  }
+  for (const BodyData<World>& body : data.bodies) forces.push_back(calc_body_force(body));
+  for (const CarriedWrench<World>& on : carried)
+    forces[static_cast<std::size_t>(on.body)].template head<World::kTwist>() += on.wrench;
   TwistOf<World> of_rows = TwistOf<World>::Zero();
   std::size_t row = 0;
   for (const LoopModel& loop : subsystem.loops)
@@ -198,6 +205,8 @@ void sum_forces(const Subsystem<World>& subsystem, SubsystemData<World>& data,
       calc_stiffening_moment(sum_stiffening<World>(data.bodies), angular(data.hub->twist));
   response.hub_force = hub;
 }
+
+namespace {
 
 template <class World>
 MatrixXd pass_unit_forces(const Subsystem<World>& subsystem, const SubsystemData<World>& data) {
@@ -247,19 +256,18 @@ VectorXd calc_momenta(const Subsystem<Space>& subsystem, const SubsystemData<Spa
                       const VectorXd& v) {
   return sum_momenta(subsystem, data, v);
 }
-void calc_forces(const Subsystem<Plane>& subsystem, SubsystemData<Plane>& data,
-                 SubsystemResponse& response) {
-  sum_forces(subsystem, data, response);
-}
-void calc_forces(const Subsystem<Space>& subsystem, SubsystemData<Space>& data,
-                 SubsystemResponse& response) {
-  sum_forces(subsystem, data, response);
-}
 MatrixXd calc_closures(const Subsystem<Plane>& subsystem, const SubsystemData<Plane>& data) {
   return pass_unit_forces(subsystem, data);
 }
 MatrixXd calc_closures(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data) {
   return pass_unit_forces(subsystem, data);
 }
+
+template void calc_frame_accelerations(const Subsystem<Plane>&, SubsystemData<Plane>&);
+template void calc_forces(const Subsystem<Plane>&, const std::vector<CarriedWrench<Plane>>&,
+                          SubsystemData<Plane>&, SubsystemResponse&);
+template void calc_frame_accelerations(const Subsystem<Space>&, SubsystemData<Space>&);
+template void calc_forces(const Subsystem<Space>&, const std::vector<CarriedWrench<Space>>&,
+                          SubsystemData<Space>&, SubsystemResponse&);
 
 }  // namespace spoke::steady

@@ -4,18 +4,32 @@
 // and on the hub, including those of inertia at zero accelerations. For the accelerations a that
 // the formulations find, F = M a (docs/modes.md).
 
+#include <vector>
+
 #include "engine/bodies/table/step_data.h"
 #include "engine/small_motions/steady/steady_model.h"
 
 namespace spoke::steady {
 
+/// A wrench on a body in its frame, of what it carries besides the bodies of its subsystem.
+template <class World>
+struct CarriedWrench {
+  int body = 0;
+  TwistOf<World> wrench;
+};
+
 /// Sets the accelerations of all frames from the hub to the tips, for coordinates without
-/// accelerations and the hub's as it is; then sums forces from the tips to the hub, those of loops
-/// by `response.multipliers` among them. Precondition: kinematics and terms in the table are those
+/// accelerations and the hub's as it is. Precondition: kinematics in the table are those of the
+/// state.
+template <class World>
+void calc_frame_accelerations(const Subsystem<World>& subsystem, SubsystemData<World>& data);
+
+/// Sums forces from the tips to the hub, those of loops by `response.multipliers` and of what the
+/// bodies carry among them. Precondition: accelerations of frames and terms in the table are those
 /// of the state, and so are the states of loops.
-void calc_forces(const Subsystem<Plane>& subsystem, SubsystemData<Plane>& data,
-                 SubsystemResponse& response);
-void calc_forces(const Subsystem<Space>& subsystem, SubsystemData<Space>& data,
+template <class World>
+void calc_forces(const Subsystem<World>& subsystem,
+                 const std::vector<CarriedWrench<World>>& carried, SubsystemData<World>& data,
                  SubsystemResponse& response);
 
 /// Returns the momenta that belong to the hub's twist and, below, to the coordinates, by the twists

@@ -72,9 +72,21 @@ bool SupportedModel::turns() const {
 
 std::vector<SubsystemPart> SupportedModel::members(std::size_t i) {
   std::vector<SubsystemPart> members = of(i).members(in(i));
-  for (SubsystemPart& part : members)
+  for (SubsystemPart& part : members) {
     part.number = stands(i) ? parts_.trees : parts(rotor_of(i)).trees[part.number];
+    part.rotor = stands(i) ? 0 : static_cast<int>(rotor_of(i));
+    part.is_carried = !stands(i);
+  }
   return members;
+}
+
+std::vector<CarriedHub> SupportedModel::carried_hubs(const std::vector<HubVector>& wrenches) const {
+  assert(wrenches.size() == rotors());
+  std::vector<CarriedHub> hubs;
+  for (std::size_t r = 0; r < rotors(); ++r)
+    hubs.push_back(
+        {parts(r).name, parts(r).speed, hub_place(r), wrenches[r], parts_.trees, parts(r).body});
+  return hubs;
 }
 
 std::string SupportedModel::name_rotors(const std::vector<double>& motions) const {

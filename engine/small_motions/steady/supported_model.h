@@ -102,6 +102,7 @@ class SupportedModel final : public SteadyModel {
   std::string full_name(std::size_t i, const std::string& inner) const override {
     return of(i).full_name(in(i), inner);
   }
+  std::vector<CarriedHub> carried_hubs(const std::vector<HubVector>& wrenches) const override;
   std::vector<SubsystemPart> members(std::size_t i) override;
   const std::vector<std::string>& body_names(std::size_t i) const override {
     return of(i).body_names(in(i));

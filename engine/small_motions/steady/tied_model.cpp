@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <iterator>
+#include <map>
 #include <utility>
 
 namespace spoke::steady {
@@ -24,7 +25,9 @@ void append(std::vector<T> more, std::vector<T>& list) {
 
 }  // namespace
 
-TiedModel::TiedModel(std::unique_ptr<SteadySystem<Space>> base) : base_(std::move(base)) {
+TiedModel::TiedModel(std::unique_ptr<SteadySystem<Space>> base, std::vector<std::string> rotors)
+    : base_(std::move(base)), rotors_(std::move(rotors)) {
+  assert(rotors_.size() == base_->system().rotors.size());
   speed_ = base_->speed();
   for (const std::vector<std::size_t>& subsystems : group_subsystems(base_->system()))
     groups_.push_back(make_group(subsystems));
@@ -35,7 +38,7 @@ TiedModel::Group TiedModel::make_group(const std::vector<std::size_t>& subsystem
   group.subsystems = subsystems;
   std::vector<std::string> names;
   for (const std::size_t i : subsystems) names.push_back(base_->name_of(i));
-  group.name = join_names(names);
+  group.name = is_standing_machine() ? "all" : join_names(names);
   const bool is_alone = subsystems.size() == 1;
   group.starts.push_back(0);
   group.body_starts.push_back(0);
@@ -107,13 +110,70 @@ std::string TiedModel::full_name(std::size_t g, const std::string& inner) const 
   return groups_[g].subsystems.size() == 1 ? SteadyModel::full_name(g, inner) : inner;
 }
 
+space::Pose TiedModel::pose_of_hub(std::size_t subsystem) const {
+  const StepData<Space>& table = base_->table();
+  const int rotor = table.subsystems[subsystem].rotor;
+  if (rotor < 0) return {};
+  const HubState<Space>& hub = table.rotors[static_cast<std::size_t>(rotor)].hub;
+  const space::Rotation back = table.hub.R.inverse();
+  return {back * space::Position(hub.p - table.hub.p), back * hub.R};
+}
+
+std::vector<CarriedHub> TiedModel::carried_hubs(const std::vector<HubVector>&) const {
+  const System<Space>& system = base_->system();
+  std::vector<CarriedHub> hubs;
+  for (std::size_t r = 0; r < system.rotors.size(); ++r) {
+    const SupportedRotor& rotor = system.rotors[r];
+    CarriedHub& hub = hubs.emplace_back();
+    hub.name = rotors_[r];
+    const HubState<Space>& state = base_->table().rotors[r].hub;
+    const HubState<Space>& of_base = base_->table().hub;
+    hub.place.p = of_base.R.inverse() * space::Position(state.p - of_base.p);
+    hub.place.axes = (of_base.R.inverse() * state.R).axes;
+    hub.carrier = static_cast<std::size_t>(rotor.subsystem);
+    hub.body = rotor.body;
+    const RootLoad load = base_->root_loads(hub.carrier)[static_cast<std::size_t>(rotor.body)];
+    hub.wrench.resize(kTwist);
+    hub.wrench << -load.force, -load.moment;
+  }
+  return hubs;
+}
+
+/// Goes outward from the system's hub.
+std::vector<MatrixXd> TiedModel::hub_motions(const Group& group) {
+  const System<Space>& system = base_->system();
+  const Index n = group.starts.back();
+  std::map<std::size_t, MatrixXd> by_subsystem;
+  const auto find = [&](auto&& self, std::size_t i) -> const MatrixXd& {
+    if (const auto known = by_subsystem.find(i); known != by_subsystem.end()) return known->second;
+    const int number = system.subsystems[i].rotor;
+    if (number < 0) return by_subsystem[i] = MatrixXd::Identity(kTwist, kTwist + n);
+    const SupportedRotor& rotor = system.rotors[static_cast<std::size_t>(number)];
+    const auto carrier = static_cast<std::size_t>(rotor.subsystem);
+    const auto m = static_cast<std::size_t>(
+        std::find(group.subsystems.begin(), group.subsystems.end(), carrier) -
+        group.subsystems.begin());
+    const MatrixXd own = base_->twists(carrier, rotor.body);
+    MatrixXd J = own.leftCols(kTwist) * self(self, carrier);
+    J.middleCols(kTwist + group.starts[m], size(group, m)) += own.rightCols(size(group, m));
+    return by_subsystem[i] = J;
+  };
+  std::vector<MatrixXd> motions;
+  for (const std::size_t i : group.subsystems) motions.push_back(find(find, i));
+  return motions;
+}
+
 std::vector<SubsystemPart> TiedModel::members(std::size_t g) {
   const Group& group = groups_[g];
   std::vector<SubsystemPart> members;
   for (std::size_t m = 0; m < group.subsystems.size(); ++m) {
     const std::size_t i = group.subsystems[m];
-    SubsystemPart& own =
-        members.emplace_back(SubsystemPart{base_.get(), i, i, group.starts[m], size(group, m), {}});
+    SubsystemPart& own = members.emplace_back(SubsystemPart{base_.get(), i, i});
+    const int rotor = base_->system().subsystems[i].rotor;
+    own.rotor = std::max(rotor, 0);
+    own.is_carried = rotor >= 0;
+    own.first = group.starts[m];
+    own.count = size(group, m);
     own.rows.resize(base_->closure_rows(i).size());
     for (std::size_t r = 0; r < group.rows.size(); ++r)
       for (const RowAt& at : group.rows[r])
@@ -134,7 +194,8 @@ double TiedModel::azimuth(std::size_t g) const { return base_->azimuth(groups_[g
 Eigen::Matrix3d TiedModel::root_axes(std::size_t g, int body) const {
   const Group& group = groups_[g];
   const std::size_t m = member_of(group, body);
-  return base_->root_axes(group.subsystems[m], body - static_cast<int>(group.body_starts[m]));
+  return pose_of_hub(group.subsystems[m]).R.axes *
+         base_->root_axes(group.subsystems[m], body - static_cast<int>(group.body_starts[m]));
 }
 
 const std::string& TiedModel::standing_springs(std::size_t g) const {
@@ -267,9 +328,9 @@ const MatrixXd& TiedModel::stiffness(std::size_t g) {
 
 VectorXd TiedModel::accelerations(std::size_t g) {
   const Group& group = groups_[g];
+  const std::vector<VectorXd> own = base_->accelerations_tied(group.subsystems);
   VectorXd a(group.starts.back());
-  for (std::size_t m = 0; m < group.subsystems.size(); ++m)
-    part(group, m, a) = base_->accelerations(group.subsystems[m]);
+  for (std::size_t m = 0; m < own.size(); ++m) part(group, m, a) = own[m];
   return a;
 }
 
@@ -277,13 +338,15 @@ SubsystemMatrices TiedModel::matrices(std::size_t g) {
   const Group& group = groups_[g];
   const Index n = group.starts.back();
   SubsystemMatrices all{MatrixXd::Zero(kTwist + n, kTwist + n), MatrixXd::Zero(n, n)};
+  const std::vector<MatrixXd> J = hub_motions(group);
   for (std::size_t m = 0; m < group.subsystems.size(); ++m) {
     const SubsystemMatrices own = base_->matrices(group.subsystems[m]);
     const Index at = group.starts[m], count = size(group, m);
-    all.mass.topLeftCorner(kTwist, kTwist) += own.mass.topLeftCorner(kTwist, kTwist);
-    all.mass.block(0, kTwist + at, kTwist, count) = own.mass.topRightCorner(kTwist, count);
-    all.mass.block(kTwist + at, 0, count, kTwist) = own.mass.bottomLeftCorner(count, kTwist);
-    all.mass.block(kTwist + at, kTwist + at, count, count) =
+    all.mass += J[m].transpose() * own.mass.topLeftCorner(kTwist, kTwist) * J[m];
+    all.mass.middleCols(kTwist + at, count) +=
+        J[m].transpose() * own.mass.topRightCorner(kTwist, count);
+    all.mass.middleRows(kTwist + at, count) += own.mass.bottomLeftCorner(count, kTwist) * J[m];
+    all.mass.block(kTwist + at, kTwist + at, count, count) +=
         own.mass.bottomRightCorner(count, count);
     all.damping.block(at, at, count, count) = own.damping;
   }
@@ -295,14 +358,15 @@ MatrixXd TiedModel::twists(std::size_t g, int body) {
   const std::size_t m = member_of(group, body);
   const MatrixXd own =
       base_->twists(group.subsystems[m], body - static_cast<int>(group.body_starts[m]));
-  MatrixXd all = MatrixXd::Zero(kTwist, kTwist + group.starts.back());
-  all.leftCols(kTwist) = own.leftCols(kTwist);
-  all.middleCols(kTwist + group.starts[m], size(group, m)) = own.rightCols(size(group, m));
+  MatrixXd all = own.leftCols(kTwist) * hub_motions(group)[m];
+  all.middleCols(kTwist + group.starts[m], size(group, m)) += own.rightCols(size(group, m));
   return all;
 }
 
 VectorXd TiedModel::momenta(std::size_t g, const VectorXd& v) {
   const Group& group = groups_[g];
+  // At orbits alone, of models whose hub nothing carries.
+  assert(base_->system().rotors.empty());
   VectorXd all = VectorXd::Zero(kTwist + group.starts.back());
   for (std::size_t m = 0; m < group.subsystems.size(); ++m) {
     const VectorXd own = base_->momenta(group.subsystems[m], part(group, m, v));
@@ -315,13 +379,15 @@ VectorXd TiedModel::momenta(std::size_t g, const VectorXd& v) {
 MatrixXd TiedModel::closures(std::size_t g) {
   const Group& group = groups_[g];
   MatrixXd all = MatrixXd::Zero(std::ssize(group.rows), kTwist + group.starts.back());
+  if (group.rows.empty()) return all;
+  const std::vector<MatrixXd> J = hub_motions(group);
   for (std::size_t m = 0; m < group.subsystems.size(); ++m) {
     const MatrixXd own = base_->closures(group.subsystems[m]);
     for (std::size_t r = 0; r < group.rows.size(); ++r)
       for (const RowAt& at : group.rows[r]) {
         if (at.member != m) continue;
         auto row = all.row(static_cast<Index>(r));
-        row.head(kTwist) += own.row(at.row).head(kTwist);
+        row += own.row(at.row).head(kTwist) * J[m];
         row.segment(kTwist + group.starts[m], size(group, m)) +=
             own.row(at.row).tail(size(group, m));
       }
@@ -355,6 +421,10 @@ std::vector<NodePlace> TiedModel::places(std::size_t g) {
   std::vector<NodePlace> places;
   for (std::size_t m = 0; m < group.subsystems.size(); ++m)
     for (NodePlace place : base_->places(group.subsystems[m])) {
+      const space::Pose hub = pose_of_hub(group.subsystems[m]);
+      place.p = hub.p + hub.R * space::Position(place.p);
+      place.centre = hub.p + hub.R * space::Position(place.centre);
+      place.axes = hub.R.axes * place.axes;
       place.body += static_cast<int>(group.body_starts[m]);
       places.push_back(place);
     }

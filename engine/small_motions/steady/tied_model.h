@@ -1,8 +1,11 @@
 #pragma once
 
-// Subsystems that loops or couplings between them tie to one another: each group of them is one
-// subsystem to equilibria and linear models, whose coordinates are those of its members in their
-// order, and whose loops are those of its members and between these.
+// Subsystems that loops or couplings between them tie to one another, or of which one carries the
+// hub of another: each group of them is one subsystem to equilibria and linear models, whose
+// coordinates are those of its members in their order, and whose loops are those of its members and
+// between these. With V the twist of the system's hub and v the velocities of all coordinates of a
+// group, the hub of a member has the twist J [V; v], J = [1 0] if that is the system's hub; by J a
+// member's matrices are those of the group.
 
 #include <memory>
 #include <string>
@@ -15,12 +18,16 @@ namespace spoke::steady {
 
 class TiedModel final : public SteadyModel {
  public:
-  explicit TiedModel(std::unique_ptr<SteadySystem<Space>> base);
+  /// `rotors`: names of those on what the base moves.
+  explicit TiedModel(std::unique_ptr<SteadySystem<Space>> base,
+                     std::vector<std::string> rotors = {});
 
   std::size_t subsystems() const override { return groups_.size(); }
   const std::string& name_of(std::size_t g) const override { return groups_[g].name; }
   std::string full_name(std::size_t g, const std::string& inner) const override;
+  bool is_standing_machine() const override { return !base_->system().rotors.empty(); }
   std::vector<SubsystemPart> members(std::size_t g) override;
+  std::vector<CarriedHub> carried_hubs(const std::vector<HubVector>& wrenches) const override;
   const std::vector<std::string>& body_names(std::size_t g) const override {
     return groups_[g].bodies;
   }
@@ -103,6 +110,10 @@ class TiedModel final : public SteadyModel {
   Eigen::Index size(const Group& group, std::size_t member) const {
     return group.starts[member + 1] - group.starts[member];
   }
+  /// Returns J of all members.
+  std::vector<Eigen::MatrixXd> hub_motions(const Group& group);
+  /// Returns where the hub of a subsystem is, in the frame of the system's hub.
+  space::Pose pose_of_hub(std::size_t subsystem) const;
   template <class Vector>
   auto part(const Group& group, std::size_t member, Vector& vector) const {
     return vector.segment(group.starts[member], size(group, member));
@@ -117,6 +128,7 @@ class TiedModel final : public SteadyModel {
   std::vector<SubsystemState> split(const Group& group, const SubsystemState& state) const;
 
   std::unique_ptr<SteadySystem<Space>> base_;
+  std::vector<std::string> rotors_;
   std::vector<Group> groups_;
 };
 

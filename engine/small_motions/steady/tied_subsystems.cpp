@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/bodies/kernels/loops/loop_motion.h"
+#include "engine/bodies/kernels/space/supported_rotor.h"
 #include "engine/small_motions/steady/steady_loops.h"
 #include "engine/small_motions/steady/steady_system.h"
 
@@ -15,12 +16,16 @@ template <class World>
 std::vector<std::vector<std::size_t>> group_subsystems(const System<World>& system) {
   std::vector<std::size_t> first(system.subsystems.size());
   std::iota(first.begin(), first.end(), std::size_t{0});
+  const auto tie = [&first](int one, int other) {
+    const std::size_t a = first[static_cast<std::size_t>(one)];
+    const std::size_t b = first[static_cast<std::size_t>(other)];
+    std::replace(first.begin(), first.end(), std::max(a, b), std::min(a, b));
+  };
   for (const SharedLoop& loop : system.shared_loops)
-    for (const LoopAt& end : loop.ends) {
-      const std::size_t a = first[static_cast<std::size_t>(loop.own.subsystem)];
-      const std::size_t b = first[static_cast<std::size_t>(end.subsystem)];
-      std::replace(first.begin(), first.end(), std::max(a, b), std::min(a, b));
-    }
+    for (const LoopAt& end : loop.ends) tie(loop.own.subsystem, end.subsystem);
+  for (int i = 0; std::cmp_less(i, first.size()); ++i)
+    if (const int rotor = system.subsystems[static_cast<std::size_t>(i)].rotor; rotor >= 0)
+      tie(i, system.rotors[static_cast<std::size_t>(rotor)].subsystem);
   std::vector<std::vector<std::size_t>> groups;
   for (std::size_t i = 0; i < first.size(); ++i) {
     if (first[i] != i) continue;
@@ -31,35 +36,101 @@ std::vector<std::vector<std::size_t>> group_subsystems(const System<World>& syst
   return groups;
 }
 
+namespace {
+
+/// Returns members of a group, by their places in it, so that each is behind what carries it.
+template <class World>
+std::vector<std::size_t> order_outward(const std::vector<std::size_t>& group,
+                                       const System<World>& system) {
+  const auto level_of = [&system](std::size_t i) {
+    int level = 0;
+    for (int rotor = system.subsystems[i].rotor; rotor >= 0; ++level)
+      rotor = system
+                  .subsystems[static_cast<std::size_t>(
+                      system.rotors[static_cast<std::size_t>(rotor)].subsystem)]
+                  .rotor;
+    return level;
+  };
+  std::vector<std::size_t> order(group.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return level_of(group[a]) < level_of(group[b]);
+  });
+  return order;
+}
+
+void place_rotors_on(const System<Plane>&, std::size_t, StepData<Plane>&) {}
+void place_rotors_on(const System<Space>& system, std::size_t carrier, StepData<Space>& data) {
+  for (const int rotor : find_rotors_on(system, static_cast<int>(carrier)))
+    place_rotor(system, static_cast<std::size_t>(rotor), 0.0, false, data);
+}
+
+/// Hands the forces of shared loops from their own subsystems to the others that they visit.
+template <class World>
+void hand_out(const std::vector<std::size_t>& group, const System<World>& system,
+              const StepData<World>& data, std::vector<SubsystemResponse>& responses) {
+  const auto path_of = [&data](const LoopAt& at) {
+    return data.subsystems[static_cast<std::size_t>(at.subsystem)]
+        .loops.paths[static_cast<std::size_t>(at.loop)];
+  };
+  const auto forces_of = [&](const LoopAt& at) {
+    const auto place =
+        std::find(group.begin(), group.end(), static_cast<std::size_t>(at.subsystem));
+    assert(place != group.end());
+    return responses[static_cast<std::size_t>(place - group.begin())].multipliers.data() +
+           path_of(at).first_row;
+  };
+  for (const SharedLoop& loop : system.shared_loops) {
+    const auto own = static_cast<std::size_t>(loop.own.subsystem);
+    if (std::find(group.begin(), group.end(), own) == group.end()) continue;
+    for (const LoopAt& end : loop.ends)
+      std::copy_n(forces_of(loop.own), path_of(loop.own).rows, forces_of(end));
+  }
+}
+
+}  // namespace
+
 template <class World>
 void SteadySystem<World>::evaluate_tied(const std::vector<std::size_t>& group,
                                         const std::vector<SubsystemState>& states,
                                         const HubOffset& hub,
                                         std::vector<SubsystemResponse>& responses) {
   assert(states.size() == group.size());
+  const System<World>& model = context_.system;
+  const std::vector<std::size_t> outward = order_outward(group, model);
   responses.resize(group.size());
-  for (std::size_t m = 0; m < group.size(); ++m) calc_terms(group[m], states[m], hub);
-  calc_shared_motion(context_.system, {}, context_.data);
+  for (const std::size_t m : outward) {
+    calc_terms(group[m], states[m], hub);
+    calc_frame_accelerations(model.subsystems[group[m]], data(group[m]));
+    place_rotors_on(model, group[m], context_.data);
+  }
+  calc_shared_motion(model, {}, context_.data);
   for (std::size_t m = 0; m < group.size(); ++m)
-    put_loops(context_.system, group[m], states[m], rows_[group[m]], context_.data, responses[m]);
-  const auto forces_of = [&](const LoopAt& at) {
-    const auto subsystem = static_cast<std::size_t>(at.subsystem);
-    const auto place = std::find(group.begin(), group.end(), subsystem) - group.begin();
-    assert(place < std::ssize(group));
-    return responses[static_cast<std::size_t>(place)].multipliers.data() +
-           data(subsystem).loops.paths[static_cast<std::size_t>(at.loop)].first_row;
-  };
-  for (const SharedLoop& loop : system().shared_loops) {
-    const auto own = static_cast<std::size_t>(loop.own.subsystem);
-    if (std::find(group.begin(), group.end(), own) == group.end()) continue;
-    const int rows = data(own).loops.paths[static_cast<std::size_t>(loop.own.loop)].rows;
-    for (const LoopAt& end : loop.ends) std::copy_n(forces_of(loop.own), rows, forces_of(end));
-  }
+    put_loops(model, group[m], states[m], rows_[group[m]], context_.data, responses[m]);
+  hand_out(group, model, context_.data, responses);
   shared_forces_.resize(subsystems());
-  for (std::size_t m = 0; m < group.size(); ++m) {
-    shared_forces_[group[m]] = responses[m].multipliers;
-    sum_response(group[m], responses[m]);
+  std::vector<std::vector<CarriedWrench<World>>> carried(subsystems());
+  for (auto at = outward.rbegin(); at != outward.rend(); ++at) {
+    const std::size_t i = group[*at];
+    shared_forces_[i] = responses[*at].multipliers;
+    sum_response(i, carried[i], responses[*at]);
+    if (data(i).rotor < 0) continue;
+    const SupportedRotor& rotor = model.rotors[static_cast<std::size_t>(data(i).rotor)];
+    carried[static_cast<std::size_t>(rotor.subsystem)].push_back(
+        {rotor.body, responses[*at].hub_force});
+    responses[*at].hub_force.setZero();
   }
+}
+
+template <class World>
+std::vector<Eigen::VectorXd> SteadySystem<World>::accelerations_tied(
+    const std::vector<std::size_t>& group) {
+  if (context_.data.is_coupled)
+    for (const graph::NodeId node : all_solutions_) graph_->run_node(node);
+  std::vector<Eigen::VectorXd> found;
+  for (const std::size_t i : group)
+    found.push_back(context_.data.is_coupled ? take_accelerations(i) : accelerations(i));
+  return found;
 }
 
 /// Sets the forces of rows that other subsystems share, which a subsystem alone does not find.
@@ -77,11 +148,15 @@ template std::vector<std::vector<std::size_t>> group_subsystems(const System<Pla
 template void SteadySystem<Plane>::evaluate_tied(const std::vector<std::size_t>&,
                                                  const std::vector<SubsystemState>&,
                                                  const HubOffset&, std::vector<SubsystemResponse>&);
+template std::vector<Eigen::VectorXd> SteadySystem<Plane>::accelerations_tied(
+    const std::vector<std::size_t>&);
 template void SteadySystem<Plane>::put_shared_forces(std::size_t);
 template std::vector<std::vector<std::size_t>> group_subsystems(const System<Space>&);
 template void SteadySystem<Space>::evaluate_tied(const std::vector<std::size_t>&,
                                                  const std::vector<SubsystemState>&,
                                                  const HubOffset&, std::vector<SubsystemResponse>&);
+template std::vector<Eigen::VectorXd> SteadySystem<Space>::accelerations_tied(
+    const std::vector<std::size_t>&);
 template void SteadySystem<Space>::put_shared_forces(std::size_t);
 
 }  // namespace spoke::steady

@@ -153,6 +153,36 @@ std::vector<T> take(const std::vector<T>& all, std::ptrdiff_t first, std::ptrdif
   return {all.begin() + first, all.begin() + first + count};
 }
 
+/// Takes shapes of a machine as a whole, which are along the axes of its base, to those of the hubs
+/// that carry them, and sets the motions of these.
+void turn_to_hubs(SteadyModel& model, ModesResult& result) {
+  std::map<std::size_t, int> rotors;  // of what a hub carries
+  for (const steady::SubsystemPart& part : model.members(0))
+    if (part.is_carried) rotors[part.number] = part.rotor;
+  const std::vector<steady::CarriedHub> hubs = model.carried_hubs({});
+  for (Mode& mode : result.modes) {
+    std::vector<HubShape> shapes;
+    for (const steady::CarriedHub& hub : hubs) {
+      const std::vector<int>& bodies = result.equilibrium.blades[hub.carrier].bodies;
+      const auto at = static_cast<std::size_t>(std::find(bodies.begin(), bodies.end(), hub.body) -
+                                               bodies.begin());
+      const Eigen::Matrix3cd back = hub.place.axes.transpose().cast<std::complex<double>>();
+      shapes.push_back(
+          {back * mode.shape[hub.carrier][at], back * mode.rotations[hub.carrier][at]});
+    }
+    for (const auto& [number, rotor] : rotors) {
+      const Eigen::Matrix3cd back =
+          hubs[static_cast<std::size_t>(rotor)].place.axes.transpose().cast<std::complex<double>>();
+      for (auto* field : {&mode.shape[number], &mode.rotations[number]})
+        for (Eigen::Vector3cd& v : *field) v = (back * v).eval();
+    }
+    if (hubs.empty()) continue;
+    mode.hub_displacement = shapes.front().displacement;
+    mode.hub_rotation = shapes.front().rotation;
+    if (shapes.size() > 1) mode.hubs = std::move(shapes);
+  }
+}
+
 }  // namespace
 
 void split_shapes(SteadyModel& model, ModesResult& result) {
@@ -168,6 +198,7 @@ void split_shapes(SteadyModel& model, ModesResult& result) {
     split(mode.rotations, &Share::first_node, &Share::nodes);
     split(mode.solids, &Share::first_solid, &Share::solids);
   }
+  if (model.is_standing_machine()) turn_to_hubs(model, result);
 }
 
 std::vector<std::string> list_bodies(const Linearised& all) {

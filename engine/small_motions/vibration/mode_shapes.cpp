@@ -134,20 +134,19 @@ std::string KindNames::name(const std::vector<steady::SubsystemCoordinate>& coor
   const auto energy = [&mass](const VectorXcd& y) {
     return y.real().dot(mass * y.real()) + y.imag().dot(mass * y.imag());
   };
-  std::map<int, VectorXcd> by_joint;  // by number of the body that the joint carries
-  std::map<int, std::string> names;
+  // Of several subsystems that are tied, joints of one name go together.
+  std::map<std::string, VectorXcd> by_joint;
   for (Eigen::Index k = 0; k < x.size(); ++k) {
     const steady::SubsystemCoordinate& coordinate = coordinates[static_cast<std::size_t>(k)];
     if (coordinate.node >= 0) continue;
     VectorXcd& only =
-        by_joint.try_emplace(coordinate.body, VectorXcd::Zero(x.size())).first->second;
+        by_joint.try_emplace(coordinate.joint, VectorXcd::Zero(x.size())).first->second;
     only[k] = x[k];
-    names.try_emplace(coordinate.body, coordinate.joint);
   }
   const std::string kind = find_direction(shape.energies);
-  for (const auto& [body, only] : by_joint)
+  for (const auto& [joint, only] : by_joint)
     if (energy(only) > 0.5 * energy(x))
-      return names[body].find(kind) == std::string::npos ? names[body] + ' ' + kind : names[body];
+      return joint.find(kind) == std::string::npos ? joint + ' ' + kind : joint;
   return kind;
 }
 

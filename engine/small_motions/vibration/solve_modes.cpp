@@ -338,6 +338,7 @@ ModesResult solve_in(ModeFrame frame, bool is_asked, const Scenario& scenario,
   const Equilibrium equilibrium = steady::find_machine_equilibrium(*model);
   steady::require_steady_machine(*model, equilibrium);
   LinearModel linear = steady::linearize_machine(equilibrium, *model);
+  if (model->is_standing_machine() && !is_asked) frame = ModeFrame::turning;
   if (frame == ModeFrame::fixed && !is_asked) {
     const Linearised all{*model, equilibrium, linear};
     if (const std::string why = find_refusal(frame, all); !why.empty()) {
