@@ -64,9 +64,10 @@ SteadySystem<World>::SteadySystem(const SystemMaker<World>& maker,
   context_.integrator = {Rk4{1.0}, {}};
   context_.linear_range = 0.0;  // find_large_deflection() reports every deflection
   context_.loop_limits.has_started = true;
-  // The hub's motion is given: subsystems are taken one by one, and evaluate_tied() finds what is
-  // between them.
-  std::vector<SharedLoop> between = std::exchange(context_.system.shared_loops, {});
+  // Where the motion of all hubs is given, subsystems are taken one by one, and evaluate_tied()
+  // finds what is between them.
+  std::vector<SharedLoop> between;
+  if (context_.system.rotors.empty()) between.swap(context_.system.shared_loops);
   allocate(context_);
   for (std::size_t i = 0; i < subsystems(); ++i) data(i).loops.use = use[i];
   outputs_.resize(subsystems());
@@ -74,8 +75,9 @@ SteadySystem<World>::SteadySystem(const SystemMaker<World>& maker,
   std::fill(context_.data.progress.begin(), context_.data.progress.end(),
             make_progress_between_steps(context_.integrator, 0, PassControl::kEvaluateOnly));
   graph_.emplace(build_step_graph(context_));
-  context_.system.shared_loops = std::move(between);
+  if (context_.system.rotors.empty()) context_.system.shared_loops = std::move(between);
   find_nodes();
+  hold_rotors();
   for (std::size_t i = 0; i < subsystems(); ++i)
     rows_.push_back(list_rows(context_.system.subsystems[i], data(i)));
   standing_springs_.resize(subsystems());
@@ -141,8 +143,7 @@ void SteadySystem<World>::find_nodes() {
   for (const graph::NodeId node : graph_->serial_order()) {
     const graph::NodeLabel& label = graph_->node(node).label;
     const StageRole role = role_of(label.stage, context_.data);
-    if (role != StageRole::given && role != StageRole::terms && label.stage != stages::kFinish.name)
-      all_solutions_.push_back(node);
+    if (role != StageRole::given && label.stage != stages::kFinish.name) pass_.push_back(node);
     if (label.subsystem < 0) continue;
     const auto subsystem = static_cast<std::size_t>(label.subsystem);
     if (role == StageRole::terms) terms_[subsystem].push_back(node);

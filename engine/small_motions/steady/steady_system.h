@@ -127,6 +127,8 @@ class SteadySystem final : public SteadyModel {
                     SubsystemResponse& response);
   Eigen::VectorXd take_accelerations(std::size_t subsystem) const;
   void put_shared_forces(std::size_t subsystem);
+  /// Lets hubs of rotors be bodies as others, whose mass is their own: see evaluate_tied().
+  void hold_rotors();
   void put_bodies(std::size_t subsystem, const Eigen::VectorXd& q, const Eigen::VectorXd& v);
   Eigen::VectorXd take_bodies(std::size_t subsystem) const;
   PrescribedHub<World> hub_motion(const HubOffset& offset) const;
@@ -154,7 +156,7 @@ class SteadySystem final : public SteadyModel {
   /// By subsystem, in the order of a pass: nodes of kinematics and terms, and the nodes behind
   /// them.
   std::vector<std::vector<graph::NodeId>> terms_, solution_;
-  std::vector<graph::NodeId> all_solutions_;  ///< all behind terms, those of no subsystem, too
+  std::vector<graph::NodeId> pass_;  ///< all but those that set the state and end the pass
   std::vector<std::vector<SubsystemCoordinate>> coordinates_;
   std::vector<std::vector<ClosureRow>> rows_;
   std::vector<std::string> standing_springs_;  ///< names of loops by subsystem, if the hub turns

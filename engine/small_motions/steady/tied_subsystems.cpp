@@ -122,14 +122,40 @@ void SteadySystem<World>::evaluate_tied(const std::vector<std::size_t>& group,
   }
 }
 
+namespace {
+
+void carry_rotors(bool, const System<Plane>&, StepData<Plane>&) {}
+/// Lets the bodies that are hubs of rotors have the inertia that these condense to, or not.
+void carry_rotors(bool do_they, const System<Space>& system, StepData<Space>& data) {
+  for (std::size_t r = 0; r < system.rotors.size(); ++r) {
+    SubsystemData<Space>& carrier =
+        data.subsystems[static_cast<std::size_t>(system.rotors[r].subsystem)];
+    carrier.bodies[static_cast<std::size_t>(system.rotors[r].body)].carried =
+        do_they ? &data.rotors[r].carried : nullptr;
+  }
+}
+
+}  // namespace
+
+template <class World>
+void SteadySystem<World>::hold_rotors() {
+  carry_rotors(false, context_.system, context_.data);
+}
+
 template <class World>
 std::vector<Eigen::VectorXd> SteadySystem<World>::accelerations_tied(
     const std::vector<std::size_t>& group) {
-  if (context_.data.is_coupled)
-    for (const graph::NodeId node : all_solutions_) graph_->run_node(node);
   std::vector<Eigen::VectorXd> found;
+  if (!context_.data.is_coupled) {
+    for (const std::size_t i : group) found.push_back(accelerations(i));
+    return found;
+  }
+  carry_rotors(true, context_.system, context_.data);
+  for (const graph::NodeId node : pass_) graph_->run_node(node);
+  for (const std::size_t i : group) found.push_back(take_accelerations(i));
+  hold_rotors();
   for (const std::size_t i : group)
-    found.push_back(context_.data.is_coupled ? take_accelerations(i) : accelerations(i));
+    for (const graph::NodeId node : terms_[i]) graph_->run_node(node);
   return found;
 }
 
@@ -150,6 +176,7 @@ template void SteadySystem<Plane>::evaluate_tied(const std::vector<std::size_t>&
                                                  const HubOffset&, std::vector<SubsystemResponse>&);
 template std::vector<Eigen::VectorXd> SteadySystem<Plane>::accelerations_tied(
     const std::vector<std::size_t>&);
+template void SteadySystem<Plane>::hold_rotors();
 template void SteadySystem<Plane>::put_shared_forces(std::size_t);
 template std::vector<std::vector<std::size_t>> group_subsystems(const System<Space>&);
 template void SteadySystem<Space>::evaluate_tied(const std::vector<std::size_t>&,
@@ -157,6 +184,7 @@ template void SteadySystem<Space>::evaluate_tied(const std::vector<std::size_t>&
                                                  const HubOffset&, std::vector<SubsystemResponse>&);
 template std::vector<Eigen::VectorXd> SteadySystem<Space>::accelerations_tied(
     const std::vector<std::size_t>&);
+template void SteadySystem<Space>::hold_rotors();
 template void SteadySystem<Space>::put_shared_forces(std::size_t);
 
 }  // namespace spoke::steady

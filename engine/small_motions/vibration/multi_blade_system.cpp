@@ -381,6 +381,9 @@ LinearSystem MultiBladeAssembly::make() {
                        all_.model.name_of(frame_.families[f].blades[0]) +
                        ", whose sensors and loads turn with it: expected \"turning\", with "
                        "bearings that are alike in all directions");
+    if (frame_.families[f].ring.is_tied)
+      throw InputError("the frame \"fixed\" expects blades that no loops tie to one another, got " +
+                       all_.model.name_of(frame_.families[f].blades[0]) + ": their modes have it");
     amplitudes_.push_back(list_amplitudes(f));
   }
   name_states();

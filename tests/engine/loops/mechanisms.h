@@ -18,7 +18,7 @@ spatial::SubsystemJoint make_hinge(const std::string& parent, const std::string&
                                    const spatial::Vector& axis = spatial::Vector::UnitZ());
 
 /// A place on a rigid body.
-LoopPlace on_body(const std::string& body, const spatial::Vector& point);
+LoopPlace on_body(const std::string& body, const spatial::Vector& point = {0, 0, 0});
 
 /// The N-four-bar of the IFToMM benchmarks: N + 1 upright bars on a fixed hub and N couplers, all
 /// of 1 m and 1 kg; the first coupler's end moves at 1 m/s along x. Closed by N loops.

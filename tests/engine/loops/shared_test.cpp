@@ -13,6 +13,7 @@
 #include "tests/contains.h"
 #include "tests/engine/bodies/space/system/runs.h"
 #include "tests/engine/loops/mechanisms.h"
+#include "tests/engine/loops/tied_arms.h"
 #include "tests/engine/solids/solid_models.h"
 #include "tests/engine/step/step_declarations.h"
 #include "tests/message_of.h"
@@ -21,109 +22,6 @@ using namespace spoke;
 using namespace spoke::test;
 
 namespace {
-
-constexpr int kArms = 4;
-const std::string kWeight = "[gravity]\nacceleration=[0.3,0.2,-9.81]\n";
-const std::string kOfASecond = "[integration]\nstep=1e-3\nduration=1\n";
-
-struct HubCase {
-  std::string name, text;
-};
-const std::vector<HubCase> kHubs{
-    {"driven", "[hub]\ninertia=5\n[hub.drive]\nkind='constant'\nspeed=12\n"},
-    {"by a torque", "[hub]\ninertia=5\n[hub.drive]\nkind='torque'\ntorque=5\n"},
-    {"free",
-     "[hub]\nsupport='free'\nmass=20\ncenter=[0.01,0.02,0]\ninertia=[3,3,5]\n"
-     "angular_velocity=[0.1,0.2,12]\n"},
-    {"on a support",
-     "[hub]\nmass=20\ncenter=[0.01,0.02,0]\ninertia=5\n[hub.drive]\nkind='constant'\nspeed=12\n"
-     "[support]\nbody=[ { name='stage', kind='rigid', mass=80, inertia=[4,4,4] } ]\n"
-     "joint=[ { name='bush', parent='ground', child='stage', kind='bushing',"
-     " stiffness=[1e5,2e5,3e5,1e5,1e5,1e5], damping=[100,100,100,50,50,50] } ]\n"
-     "axle={ body='stage', offset=[0,0,0.4] }\n"}};
-
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
-}
-
-/// An arm on two hinges and a flap on it, which a rod of its own ties to the hub.
-struct Arm {
-  int index = 0;
-  bool is_alone = true;  ///< whether it is a subsystem of its own
-
-  std::string name(const std::string& body) const {
-    return is_alone ? body : body + std::to_string(index);
-  }
-  double angle() const { return 2.0 * std::numbers::pi * index / kArms; }
-  std::string bodies() const {
-    return "{ name='" + name("arm") + "', kind='rigid', mass=" + std::to_string(5 + index) +
-           ", center=[0.5,0.02,0.01], inertia=[0.1,0.6,0.7] }, { name='" + name("flap") +
-           "', kind='rigid', mass=1, center=[0.1,0.3,0], inertia=[0.05,0.02,0.05] }";
-  }
-  std::string joints() const {
-    const double x = is_alone ? 0.3 : 0.3 * std::cos(angle());
-    const double y = is_alone ? 0.0 : 0.3 * std::sin(angle());
-    return "{ name='" + name("hinge") + "', parent='hub', child='" + name("arm") + "', offset=[" +
-           number(x) + ',' + number(y) + ",0], orientation=[0,0," +
-           number(is_alone ? 0.0 : angle()) +
-           "], kind='universal', axes=[[0,-1,0],[0,0,1]], initial=[" + number(0.02 * index) + ',' +
-           number(0.03 - 0.01 * index) + "], initial_speed=[" + number(0.1 * index) +
-           ",0] }, { name='" + name("turn") + "', parent='" + name("arm") + "', child='" +
-           name("flap") + "', kind='revolute', axis=[1,0,0], offset=[0.6,0,0], damping=1 }";
-  }
-  /// The rod from the flap to the hub.
-  std::string rod() const {
-    const space::Rotation turn =
-        space::exponential(space::Position(0, 0, is_alone ? 0.0 : angle()));
-    const space::Position at = turn * space::Position(0.8, 0.2, -0.5);
-    return "{ name='" + name("rod") + "', kind='distance', from={ body='" + name("flap") +
-           "', point=[0.1,0.3,0] }, to={ body='hub', point=[" + number(at.x()) + ',' +
-           number(at.y()) + ',' + number(at.z()) + "] } }";
-  }
-  /// A coupling of the flap's hinge with the next one's, and with a coordinate of that arm's own.
-  std::string gear(const std::string& rest) const {
-    const Arm next{(index + 1) % kArms, is_alone};
-    const std::string where = is_alone ? "subsystem='arm" + std::to_string(next.index) + "', " : "";
-    return "{ name='" + name("gear") + "', joints=[ { joint='" + name("turn") + "', ratio=1 }, { " +
-           where + "joint='" + next.name("turn") + "', ratio=-0.7 }, { " + where + "joint='" +
-           next.name("hinge") + "', coordinate=2, ratio=0.4 } ]" + rest + " }";
-  }
-  /// A closure to the next arm.
-  std::string tie(const std::string& kind) const {
-    const Arm next{(index + 1) % kArms, is_alone};
-    const std::string where = is_alone ? "subsystem='arm" + std::to_string(next.index) + "', " : "";
-    return "{ name='" + name("tie") + "', from={ body='" + name("arm") +
-           "', point=[0.3,0.1,0] }, to={ " + where + "body='" + next.name("flap") +
-           "', point=[0,0.1,0.05] }, " + kind + " }";
-  }
-};
-
-/// The arms, each a subsystem or all of them one, with ties from the first `ties` ones: closures,
-/// or couplings of what is behind "coupling".
-std::string make_machine(const std::string& hub, bool is_apart, const std::string& tie, int ties) {
-  std::string text = "world='space'\n" + hub + kWeight;
-  std::string bodies, joints, loops, couplings;
-  const bool is_coupled = tie.starts_with("coupling");
-  for (int i = 0; i < kArms; ++i) {
-    const Arm arm{i, is_apart};
-    const std::string comma = is_apart || i == 0 ? "" : ", ";
-    if (is_apart) bodies = joints = loops = couplings = "";
-    bodies += comma + arm.bodies();
-    joints += comma + arm.joints();
-    loops += comma + arm.rod() + (i < ties && !is_coupled ? ", " + arm.tie(tie) : "");
-    if (i < ties && is_coupled) couplings += comma + arm.gear(tie.substr(8));
-    if (is_apart)
-      text += "[[subsystem]]\nname='arm" + std::to_string(i) + "'\nazimuth=" + number(arm.angle()) +
-              "\nbody=[" + bodies + "]\njoint=[" + joints + "]\nloop=[" + loops + "]\n" +
-              (couplings.empty() ? "" : "coupling=[" + couplings + "]\n");
-  }
-  if (!is_apart)
-    text += "[[subsystem]]\nname='all'\nbody=[" + bodies + "]\njoint=[" + joints + "]\nloop=[" +
-            loops + "]\n" + (couplings.empty() ? "" : "coupling=[" + couplings + "]\n");
-  return text + kOfASecond;
-}
 
 System<Space> make(const std::string& text) { return make_system(parse_model(text)); }
 
@@ -188,8 +86,8 @@ TEST_CASE(
       const int count = is_rigid ? kArms - 2 : tie == ties[1] ? kArms - 1 : kArms;
       for (const Method& method : {Method(make_generalized_alpha(0.8, 1e-3)), Method(Rk4{1e-3})}) {
         const auto apart =
-            check_formulations(make(make_machine(hub.text, true, tie, count)), method, 30, 1e-10);
-        Run<Space> one(make(make_machine(hub.text, false, tie, count)), {method});
+            check_formulations(make(make_tied_arms(hub.text, true, tie, count)), method, 30, 1e-10);
+        Run<Space> one(make(make_tied_arms(hub.text, false, tie, count)), {method});
         one.advance(30);
         CHECK(std::abs(calc_energy(*apart) - calc_energy(one)) < 1e-6);  // of some 1e3 J
         const auto& bodies = one.context.data.subsystems[0].bodies;
@@ -285,8 +183,8 @@ TEST_CASE("what flies with loops between rotors keeps momentum, and energy by th
 
 TEST_CASE("loops between subsystems: equal bits on all executors, and kept declarations") {
   for (const std::string& text :
-       {make_machine(kHubs[0].text, true, "kind='distance'", 2),
-        make_machine(kHubs[3].text, true, "coupling", 2), make_two_rotors(false)}) {
+       {make_tied_arms(kHubs[0].text, true, "kind='distance'", 2),
+        make_tied_arms(kHubs[3].text, true, "coupling", 2), make_two_rotors(false)}) {
     const System<Space> system = make(text);
     check_equal_bits(system, make_generalized_alpha(0.8, 1e-3), 20);
     check_equal_bits(system, Rk4{1e-3}, 10);
@@ -323,7 +221,7 @@ TEST_CASE("the start closes loops between subsystems by all joints, and drops wh
   const std::string rod =
       "{ name='more', kind='distance', length=1.0, from={ body='arm', point=[0.3,0.1,0] },"
       " to={ subsystem='arm1', body='flap', point=[0,0.1,0.05] } }";
-  std::string text = make_machine(kHubs[0].text, true, "kind='distance', length=1.0", 1);
+  std::string text = make_tied_arms(kHubs[0].text, true, "kind='distance', length=1.0", 1);
   const std::string key = "loop=[";
   text.insert(text.find(key) + key.size(), rod + ", ");
   Run<Space> run(make(text), {make_generalized_alpha(0.8, 1e-3)});
@@ -339,7 +237,7 @@ TEST_CASE("the start closes loops between subsystems by all joints, and drops wh
 
 TEST_CASE("sensors, clones and states know loops between subsystems") {
   const std::string text =
-      make_machine(kHubs[3].text, true, "kind='distance', stiffness=3e4, damping=400", kArms) +
+      make_tied_arms(kHubs[3].text, true, "kind='distance', stiffness=3e4, damping=400", kArms) +
       "[[sensor]]\nquantity='loop_reaction'\nsubsystem='arm1'\nloop='tie'\n";
   const Scenario scenario = parse_scenario(text, "f");
   Simulation simulation(scenario);

@@ -37,13 +37,6 @@ spatial::SubsystemJoint make_joint(const std::string& parent, const std::string&
   return joint;
 }
 
-LoopPlace on_body(const std::string& name, const Vector& point) {
-  LoopPlace place;
-  place.name = name;
-  place.point = point;
-  return place;
-}
-
 LoopPlace on_hub(const Vector& point) {
   LoopPlace place;
   place.carrier = LoopPlace::Carrier::hub;

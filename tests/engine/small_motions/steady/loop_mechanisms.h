@@ -6,6 +6,7 @@
 #include <string>
 
 #include "models/scenario.h"
+#include "tests/engine/loops/mechanisms.h"
 
 namespace spoke::test {
 
@@ -20,7 +21,6 @@ spatial::SubsystemJoint make_joint(const std::string& parent, const std::string&
                                    const spatial::Vector& offset = {0, 0, 0},
                                    const spatial::Vector& axis = {0, 0, 1});
 
-LoopPlace on_body(const std::string& name, const spatial::Vector& point = {0, 0, 0});
 LoopPlace on_hub(const spatial::Vector& point);
 
 /// A uniform straight beam.

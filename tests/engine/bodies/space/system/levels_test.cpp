@@ -1,6 +1,8 @@
 // Rotors on what other rotors carry: the same machine in one tree, formulations, laws of
 // conservation, executors, and what is drawn and measured.
 
+#include "tests/engine/bodies/space/system/levels.h"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -23,144 +25,6 @@ using namespace spoke;
 using namespace spoke::test;
 
 namespace {
-
-/// What the machine stands on, and what is different about it.
-struct LevelsCase {
-  std::string support;         ///< table [support], whose body "stage" carries the first axle
-  std::string loops{};         ///< closures of the innermost body, whose `to` ends with TO(...)
-  std::string damping{};       ///< of hinges
-  std::string drive = "free";  ///< of the middle hub
-  std::string couplings{};     ///< of the innermost hinge, likewise
-};
-
-const std::string kStage =
-    "body=[ { name='stage', kind='rigid', mass=9, center=[0.02,0.01,0.1], inertia=[0.4,0.5,0.6] }";
-const std::string kOnBush = "[support]\n" + kStage;
-const std::string kFlying =
-    "[support]\nfrom='free'\nmass=30\ninertia=[2,3,4]\nangular_velocity=[0.1,-0.2,0.3]\n" + kStage;
-
-std::string bush(const std::string& base) {
-  return "{ name='bush', parent='" + base +
-         "', child='stage', kind='bushing', offset=[0,0,0.3],"
-         " stiffness=[4e3,5e3,6e3,2e3,2e3,3e3] }";
-}
-
-std::string rigid(const std::string& name, double mass) {
-  const std::string size = std::to_string(0.02 * mass);
-  return "{ name='" + name + "', kind='rigid', mass=" + std::to_string(mass) +
-         ", center=[0.15,0.02,0.01], inertia=[" + size + ',' + size + ',' + size + "] }";
-}
-
-const std::string kBoom =
-    "{ name='boom', kind='beam', length=1, bodies=1, elements=2, strain='nonlinear',"
-    " sections={ mass_per_length=1.5, axial_stiffness=2e4, lag_stiffness=300, flap_stiffness=200,"
-    " torsion_stiffness=150 } }";
-
-/// A hinge; what is on the hub of a rotor hangs at 0.2 m from its axis.
-std::string hinge(const std::string& parent, const std::string& child, const std::string& more) {
-  return "{ name='" + child + "', parent='" + parent + "', child='" + child +
-         "', offset=[0.2,0,0.05], " + more + " }";
-}
-
-/// The loads act on the innermost level, a sensor looks at it.
-std::string finish(const std::string& weight, const std::string& subsystem) {
-  return "[[load]]\nsubsystem='" + subsystem +
-         "'\nbody='leaf'\nforce=[0,0.4,0.3]\nframe='inertial'\npoint=[0.1,0,0]\n" +
-         "[[hub_load]]\nrotor='top'\nforce=[0,0.3,0]\nposition=[0.1,0,0]\n" + weight +
-         "[[sensor]]\nname='watched'\nquantity='velocity'\nframe='inertial'\nsubsystem='" +
-         subsystem + "'\nbody='leaf'\n[integration]\nstep=1e-3\nduration=1\n";
-}
-
-std::string replace(std::string text, const std::string& old, const std::string& made) {
-  for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at))
-    text.replace(at, old.size(), made);
-  return text;
-}
-
-const std::string kWeight = "[gravity]\nacceleration=[0.3,0.2,-9.81]\n";
-
-std::string hub(const std::string& name, const std::string& drive, const std::string& axle) {
-  return "[[rotor]]\nname='" + name +
-         "'\nhub={ mass=0.5, center=[0.02,0,0], inertia=0.3, drive={ " + drive + " } }\naxle={ " +
-         axle + " }\n";
-}
-
-const std::string kOnStage = "body='stage', offset=[0,0.1,0.4], orientation=[0.2,0.1,0]";
-const std::string kOnBoom = "body='boom', station=0.7, offset=[0,0,0.1], orientation=[0,0.4,0]";
-const std::string kOnTwig = "body='twig', offset=[0.3,0,0], orientation=[0.5,0,0]";
-
-/// Four levels: the support; an arm and a boom on the hub "main"; a twig on the hub "middle" of the
-/// boom; a leaf on the hub "top" of the twig, which is fixed to it.
-std::string make_levels(const LevelsCase& of, const std::string& base, const std::string& weight) {
-  const auto name_ends = [](const std::string& text) {
-    return replace(replace(text, "TO(", "subsystem='"), ")", "', ");
-  };
-  const std::string loops = name_ends(of.loops), couplings = name_ends(of.couplings);
-  return "world='space'\n" + of.support + " ]\njoint=[ " + bush(base) + " ]\n" +
-         hub("main", "kind='free', initial_speed=4", kOnStage) +
-         hub("middle", "kind='" + of.drive + "'" + (of.drive == "free" ? ", initial_speed=-6" : ""),
-             "subsystem='boom', " + kOnBoom) +
-         hub("top", "kind='fixed'", "subsystem='twig', " + kOnTwig) +
-         "[[subsystem]]\nname='arm'\nrotor='main'\nbody=[ " + rigid("arm", 2) + " ]\njoint=[ " +
-         hinge("hub", "arm",
-               "orientation=[0,0,2.5], kind='universal', axes=[[0,1,0],[0,0,1]], "
-               "initial=[0.02,0.01]") +
-         " ]\n[[subsystem]]\nname='boom'\nrotor='main'\nbody=[ " + kBoom + " ]\njoint=[ " +
-         hinge("hub", "boom", "kind='fixed'") +
-         " ]\n[[subsystem]]\nname='twig'\nrotor='middle'\nbody=[ " + rigid("twig", 1) +
-         " ]\njoint=[ " + hinge("hub", "twig", "kind='revolute', axis=[0,1,0]" + of.damping) +
-         " ]\n[[subsystem]]\nname='leaf'\nrotor='top'\nbody=[ " + rigid("leaf", 0.4) +
-         " ]\njoint=[ " +
-         hinge("hub", "leaf",
-               "kind='revolute', axis=[0,0,1], initial=0.1, initial_speed=1.2" + of.damping) +
-         " ]\n" + (loops.empty() ? "" : "loop=[ " + loops + " ]\n") +
-         (couplings.empty() ? "" : "coupling=[ " + couplings + " ]\n") + finish(weight, "leaf");
-}
-
-/// The same machine as one tree, that of the support, whose rotor is a body of its own.
-std::string make_one(const LevelsCase& of, const std::string& base, const std::string& weight) {
-  std::string loops = of.loops, couplings = replace(of.couplings, ".axle", "axle");
-  for (const char* name : {"boom", "arm", "twig", "support"})
-    for (std::string* text : {&loops, &couplings})
-      *text = replace(*text, "TO(" + std::string(name) + ")", "");
-  const auto hub_body = [](const std::string& name) {
-    return "{ name='" + name + "hub', kind='rigid', mass=0.5, center=[0.02,0,0], inertia=0.3 }";
-  };
-  const auto axle = [](const std::string& name, const std::string& kind, const std::string& place) {
-    return "{ name='" + name + "axle', child='" + name + "hub', " + kind + ", " +
-           replace(place, "body=", "parent=") + " }";
-  };
-  const std::string revolute = "kind='revolute', axis=[0,0,1], ";
-  // The hub load of "top" turns with it.
-  return "world='space'\n" + of.support + ", " + hub_body("main") + ", " + rigid("arm", 2) + ", " +
-         kBoom + ", " + hub_body("middle") + ", " + rigid("twig", 1) + ", " + hub_body("top") +
-         ", " + rigid("leaf", 0.4) + " ]\njoint=[ " + bush(base) + ", " +
-         axle("main", revolute + "initial_speed=4", kOnStage) + ", " +
-         hinge("mainhub", "arm",
-               "orientation=[0,0,2.5], kind='universal', axes=[[0,1,0],[0,0,1]], "
-               "initial=[0.02,0.01]") +
-         ", " + hinge("mainhub", "boom", "kind='fixed'") + ", " +
-         axle("middle", of.drive == "free" ? revolute + "initial_speed=-6" : "kind='fixed'",
-              kOnBoom) +
-         ", " + hinge("middlehub", "twig", "kind='revolute', axis=[0,1,0]" + of.damping) + ", " +
-         axle("top", "kind='fixed'", kOnTwig) + ", " +
-         hinge("tophub", "leaf",
-               "kind='revolute', axis=[0,0,1], initial=0.1, initial_speed=1.2" + of.damping) +
-         " ]\n" + (loops.empty() ? "" : "loop=[ " + loops + " ]\n") +
-         (couplings.empty() ? "" : "coupling=[ " + couplings + " ]\n") +
-         replace(
-             finish(weight, "support"), "[[hub_load]]\nrotor='top'\nforce=[0,0.3,0]\nposition",
-             "[[load]]\nsubsystem='support'\nbody='tophub'\nframe='body'\nforce=[0,0.3,0]\npoint");
-}
-
-/// A hub that adds nothing to speak of, as a model has one at least.
-std::string with_dummy(const std::string& text) {
-  const std::size_t at = text.find("[[load]]");
-  return text.substr(0, at) +
-         "[[rotor]]\nname='none'\nhub={ mass=1e-9, inertia=1e-9, drive={ kind='fixed' } }\n"
-         "axle={ body='stage' }\n" +
-         text.substr(at);
-}
 
 std::vector<LevelsCase> list_cases() {
   const std::string rod =
@@ -208,9 +72,10 @@ TEST_CASE("rotors on what rotors carry: in all formulations the motion of the sa
   for (const LevelsCase& of : list_cases()) {
     CAPTURE(of.support);
     CAPTURE(of.loops);
-    const std::string levels = make_levels(of, base_of(of), kWeight);
+    const std::string levels = make_levels(of, base_of(of), kLevelsWeight);
     const spatial::Model apart = parse_model(levels);
-    const spatial::Model together = parse_model(with_dummy(make_one(of, base_of(of), kWeight)));
+    const spatial::Model together =
+        parse_model(with_dummy(make_one_level(of, base_of(of), kLevelsWeight)));
     for (const Method& method : {Method(make_generalized_alpha(0.8, 1e-3)), Method(Rk4{1e-3})}) {
       const auto run = check_formulations(make_system(apart), method, 40, 1e-10);
       Run<Space> one(make_system(together), {method});
@@ -246,7 +111,8 @@ TEST_CASE("rotors on what rotors carry keep momentum, and energy by the method's
 
 TEST_CASE("rotors on what rotors carry: equal bits on all executors, and kept declarations") {
   for (const LevelsCase& of : list_cases()) {
-    const System<Space> system = make_system(parse_model(make_levels(of, base_of(of), kWeight)));
+    const System<Space> system =
+        make_system(parse_model(make_levels(of, base_of(of), kLevelsWeight)));
     check_equal_bits(system, make_generalized_alpha(0.8, 1e-3), 15);
     for (const Formulation formulation :
          {Formulation::structured, Formulation::subsystem, Formulation::augmented})
@@ -273,8 +139,8 @@ TEST_CASE("rotors on what rotors carry are drawn and measured where the same in 
     std::vector<std::map<std::string, spatial::Vector>> places;
     std::vector<Eigen::Vector3d> velocities;
     for (const bool is_one : {false, true}) {
-      const std::string text = is_one ? with_dummy(make_one(of, base_of(of), kWeight))
-                                      : make_levels(of, base_of(of), kWeight);
+      const std::string text = is_one ? with_dummy(make_one_level(of, base_of(of), kLevelsWeight))
+                                      : make_levels(of, base_of(of), kLevelsWeight);
       const Scenario scenario = parse_scenario(text, "f");
       const scene::Scene drawn = scene::make_scene(scenario, 1000);
       places.push_back(
