@@ -72,9 +72,8 @@ void put_in_wind(Scenario& scenario) {
     }
 }
 
-/// Ties each blade to the next one by a damper and a spring, couples their hinges, and ties the
-/// first one across the axle to what the rotor stands on.
-void tie_blades(Scenario& scenario) {
+/// Ties each blade to the next one by a damper and a spring, and couples their hinges.
+void tie_ring(Scenario& scenario) {
   std::vector<spatial::Blade>& blades = scenario.space->blades;
   for (std::size_t i = 0; i < blades.size(); ++i) {
     Loop damper;
@@ -93,6 +92,11 @@ void tie_blades(Scenario& scenario) {
     linkage.joints[1].blade = damper.to.blade;
     blades[i].couplings = {linkage};
   }
+}
+
+/// Ties blades as a ring, and the first one across the axle to what the rotor stands on.
+void tie_blades(Scenario& scenario) {
+  tie_ring(scenario);
   Loop spring;
   spring.name = "spring";
   spring.from.station = 1.5;
@@ -100,7 +104,7 @@ void tie_blades(Scenario& scenario) {
   spring.to.subsystem = "support";
   spring.stiffness = {20.0, 20.0, 20.0};
   spring.damping = {5.0, 5.0, 5.0};
-  blades[0].loops.push_back(spring);
+  scenario.space->blades[0].loops.push_back(spring);
 }
 
 /// Puts a rotor with a hinged vane on a soft boom that turns with the first rotor.
@@ -156,6 +160,7 @@ Scenario ZooModel::read(int steps) const {
 
 std::vector<ZooModel> list_zoo() {
   std::vector<ZooModel> zoo{
+      {"articulated_rotor, a ring of dampers", "articulated_rotor", tie_ring},
       {"articulated_rotor, hub by a torque", "articulated_rotor",
        [](Scenario& s) { s.space->hub.drive = TorqueDrive{Curve(1000.0)}; }},
       {"free_hub_satellite, strains of second order", "free_hub_satellite",
