@@ -9,6 +9,17 @@ const std::string kStage =
     "body=[ { name='stage', kind='rigid', mass=9, center=[0.02,0.01,0.1], inertia=[0.4,0.5,0.6] }";
 }  // namespace
 
+const std::string kBoom =
+    "{ name='boom', kind='beam', length=1, bodies=1, elements=2, strain='nonlinear',"
+    " sections={ mass_per_length=1.5, axial_stiffness=2e4, lag_stiffness=300, flap_stiffness=200,"
+    " torsion_stiffness=150 } }";
+std::string make_hub_of(const std::string& name, const std::string& drive,
+                        const std::string& axle) {
+  return "[[rotor]]\nname='" + name +
+         "'\nhub={ mass=0.5, center=[0.02,0,0], inertia=0.3, drive={ " + drive + " } }\naxle={ " +
+         axle + " }\n";
+}
+
 const std::string kOnBush = "[support]\n" + kStage;
 const std::string kFlying =
     "[support]\nfrom='free'\nmass=30\ninertia=[2,3,4]\nangular_velocity=[0.1,-0.2,0.3]\n" + kStage;
@@ -28,11 +39,6 @@ std::string rigid(const std::string& name, double mass) {
   return "{ name='" + name + "', kind='rigid', mass=" + std::to_string(mass) +
          ", center=[0.15,0.02,0.01], inertia=[" + size + ',' + size + ',' + size + "] }";
 }
-
-const std::string kBoom =
-    "{ name='boom', kind='beam', length=1, bodies=1, elements=2, strain='nonlinear',"
-    " sections={ mass_per_length=1.5, axial_stiffness=2e4, lag_stiffness=300, flap_stiffness=200,"
-    " torsion_stiffness=150 } }";
 
 /// A hinge; what is on the hub of a rotor hangs at 0.2 m from its axis.
 std::string hinge(const std::string& parent, const std::string& child, const std::string& more) {
@@ -59,12 +65,6 @@ std::string replace(std::string text, const std::string& old, const std::string&
 
 namespace {
 
-std::string hub(const std::string& name, const std::string& drive, const std::string& axle) {
-  return "[[rotor]]\nname='" + name +
-         "'\nhub={ mass=0.5, center=[0.02,0,0], inertia=0.3, drive={ " + drive + " } }\naxle={ " +
-         axle + " }\n";
-}
-
 const std::string kOnStage = "body='stage', offset=[0,0.1,0.4], orientation=[0.2,0.1,0]";
 const std::string kOnBoom = "body='boom', station=0.7, offset=[0,0,0.1], orientation=[0,0.4,0]";
 const std::string kOnTwig = "body='twig', offset=[0.3,0,0], orientation=[0.5,0,0]";
@@ -81,10 +81,12 @@ std::string make_levels(const LevelsCase& of, const std::string& base, const std
   };
   const std::string loops = name_ends(of.loops), couplings = name_ends(of.couplings);
   return "world='space'\n" + of.support + " ]\njoint=[ " + bush(base) + " ]\n" +
-         hub("main", of.is_at_rest ? "kind='fixed'" : "kind='free', initial_speed=4", kOnStage) +
-         hub("middle", "kind='" + of.drive + "'" + (of.drive == "free" ? ", initial_speed=-6" : ""),
-             "subsystem='boom', " + kOnBoom) +
-         hub("top", "kind='fixed'", "subsystem='twig', " + kOnTwig) +
+         make_hub_of("main", of.is_at_rest ? "kind='fixed'" : "kind='free', initial_speed=4",
+                     kOnStage) +
+         make_hub_of("middle",
+                     "kind='" + of.drive + "'" + (of.drive == "free" ? ", initial_speed=-6" : ""),
+                     "subsystem='boom', " + kOnBoom) +
+         make_hub_of("top", "kind='fixed'", "subsystem='twig', " + kOnTwig) +
          "[[subsystem]]\nname='arm'\nrotor='main'\nbody=[ " + rigid("arm", 2) + " ]\njoint=[ " +
          hinge("hub", "arm",
                "orientation=[0,0,2.5], kind='universal', axes=[[0,1,0],[0,0,1]], "

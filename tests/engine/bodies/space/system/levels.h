@@ -20,6 +20,10 @@ struct LevelsCase {
 extern const std::string kOnBush;  ///< on a bushing on the ground
 extern const std::string kFlying;  ///< on a fuselage in flight
 extern const std::string kLevelsWeight;
+extern const std::string kBoom;  ///< a body: a beam of 1 m
+
+/// Returns the tables of a rotor, by the keys of its drive and of its axle.
+std::string make_hub_of(const std::string& name, const std::string& drive, const std::string& axle);
 
 /// Four levels: the support; an arm and a boom on the hub "main"; a twig on the hub "middle" of the
 /// boom; a leaf on the hub "top" of the twig, which is fixed to it. `base`: "ground" or "fuselage".

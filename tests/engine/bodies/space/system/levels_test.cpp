@@ -192,7 +192,7 @@ TEST_CASE("what is welded to a beam by a fixed hub pulls at it where it stands")
   const std::string head =
       "world='space'\n[support]\nbody=[ { name='post', kind='rigid', mass=1, inertia=1 } ]\n"
       "joint=[ { parent='ground', child='post', kind='fixed' } ]\n" +
-      hub("main", "kind='constant', speed=25", "body='post'");
+      make_hub_of("main", "kind='constant', speed=25", "body='post'");
   const std::string boom = replace(kBoom, "strain='nonlinear'", "strain='linear'");
   const std::string mass = "{ name='m', kind='rigid', mass=2, center=[0.1,0.3,0.2], inertia=1e-9 }";
   const std::string joint = "{ parent='hub', child='boom', kind='fixed', orientation=[0,0.1,0] }";
