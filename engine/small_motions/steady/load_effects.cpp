@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/small_motions/steady/output_derivatives.h"
+#include "engine/small_motions/steady/subsystem_names.h"
 #include "engine/small_motions/steady/supported_model.h"
 
 namespace spoke::steady {
@@ -168,6 +169,18 @@ std::vector<InputEffect> calc_effects(const Scenario& scenario, const Equilibriu
   return effects;
 }
 
+/// Returns the name of a subsystem; of one that is several of the scenario those on which an effect
+/// has forces.
+std::string name_loaded(std::size_t subsystem, const LoadEffect& effect, SteadyModel& model) {
+  constexpr double kRoundOff = 1e-9;  // of what ties hand over
+  std::vector<std::string> names;
+  if (effect.force.size() > 0)
+    for (const SubsystemPart& part : model.members(subsystem))
+      if (part.part_of(effect.force).norm() > kRoundOff * effect.force.norm())
+        names.push_back(part.model->name_of(part.subsystem));
+  return names.empty() ? model.name_of(subsystem) : join_names(names);
+}
+
 }  // namespace
 
 LoadEffects calc_load_effects(const Scenario& scenario, const Equilibrium& equilibrium,
@@ -179,7 +192,7 @@ LoadEffects calc_load_effects(const Scenario& scenario, const Equilibrium& equil
     for (std::size_t i = 0; i < model.subsystems(); ++i) {
       LoadEffect& effect = by.subsystems[i];
       if (does_nothing(effect)) continue;
-      effect.input = {model.name_of(i) + " / " + by.input.name, by.input.unit};
+      effect.input = {name_loaded(i, effect, model) + " / " + by.input.name, by.input.unit};
       effects.subsystems[i].push_back(std::move(effect));
     }
     for (std::size_t h = 0; h < model.hubs(); ++h)

@@ -9,6 +9,7 @@
 #include <complex>
 #include <map>
 #include <numbers>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -289,6 +290,22 @@ TEST_CASE("a ring of blades: each has a shape of its own, and a place in results
     for (std::size_t i = 0; i < 3; ++i)
       CHECK(mode.shape[i].size() == found.equilibrium.blades[i].nodes.size());
   }
+}
+
+TEST_CASE(
+    "tied blades: inputs of linear models are those of single blades, or of several together") {
+  const std::string hinges = make_hammond(20.0, 0, ", stiffness=3e4");
+  const std::size_t support = hinges.find("[support]"), blades = hinges.find("[[subsystem]]");
+  const LinearSystem system = solve_linear_system(
+      parse(hinges.substr(0, support) + hinges.substr(blades) +
+            "[[load]]\nsubsystem='b1'\nbody='rod'\nforce=[0,1,0]\nframe='body'\n"),
+      {}, ModeFrame::turning);
+  std::set<std::string> names;
+  for (const LinearSignal& input : system.inputs) names.insert(input.name);
+  CHECK(names.size() == system.inputs.size());
+  CHECK(names.contains("b1 / load.1"));
+  CHECK(names.contains("b2 / lag motor"));
+  CHECK(system.states.front().name == "b0 / lag");
 }
 
 TEST_CASE("tied blades: what is not taken is said") {
