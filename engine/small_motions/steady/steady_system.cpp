@@ -64,10 +64,6 @@ SteadySystem<World>::SteadySystem(const SystemMaker<World>& maker,
   context_.integrator = {Rk4{1.0}, {}};
   context_.linear_range = 0.0;  // find_large_deflection() reports every deflection
   context_.loop_limits.has_started = true;
-  // Where the motion of all hubs is given, subsystems are taken one by one, and evaluate_tied()
-  // finds what is between them.
-  std::vector<SharedLoop> between;
-  if (context_.system.rotors.empty()) between.swap(context_.system.shared_loops);
   allocate(context_);
   for (std::size_t i = 0; i < subsystems(); ++i) data(i).loops.use = use[i];
   outputs_.resize(subsystems());
@@ -75,7 +71,6 @@ SteadySystem<World>::SteadySystem(const SystemMaker<World>& maker,
   std::fill(context_.data.progress.begin(), context_.data.progress.end(),
             make_progress_between_steps(context_.integrator, 0, PassControl::kEvaluateOnly));
   graph_.emplace(build_step_graph(context_));
-  if (context_.system.rotors.empty()) context_.system.shared_loops = std::move(between);
   find_nodes();
   hold_rotors();
   for (std::size_t i = 0; i < subsystems(); ++i)
@@ -378,10 +373,7 @@ void SteadySystem<World>::sum_response(std::size_t subsystem,
 template <class World>
 Eigen::VectorXd SteadySystem<World>::accelerations(std::size_t subsystem) {
   assert(subsystem < subsystems());
-  for (const graph::NodeId node : solution_[subsystem]) {
-    put_shared_forces(subsystem);
-    graph_->run_node(node);
-  }
+  for (const graph::NodeId node : solution_[subsystem]) graph_->run_node(node);
   return take_accelerations(subsystem);
 }
 

@@ -71,10 +71,9 @@ class SteadySystem final : public SteadyModel {
   void evaluate(std::size_t subsystem, const SubsystemState& state, const HubOffset& hub,
                 SubsystemResponse& response) override;
   /// As evaluate(), for all subsystems of a group at once: `states` and `responses` by member. Of a
-  /// loop between them the rows of its own subsystem count, and those of its shares follow. Until
-  /// the next such call accelerations() have the forces of these rows. Hubs follow what carries
-  /// them, to which `responses` hand up their forces; they are forces on the system's hub only of
-  /// what this carries.
+  /// loop between them the rows of its own subsystem count, and those of its shares follow. Hubs
+  /// follow what carries them, to which `responses` hand up their forces; they are forces on the
+  /// system's hub only of what this carries.
   void evaluate_tied(const std::vector<std::size_t>& group,
                      const std::vector<SubsystemState>& states, const HubOffset& hub,
                      std::vector<SubsystemResponse>& responses);
@@ -126,7 +125,6 @@ class SteadySystem final : public SteadyModel {
   void sum_response(std::size_t subsystem, const std::vector<CarriedWrench<World>>& carried,
                     SubsystemResponse& response);
   Eigen::VectorXd take_accelerations(std::size_t subsystem) const;
-  void put_shared_forces(std::size_t subsystem);
   /// Lets hubs of rotors be bodies as others, whose mass is their own: see evaluate_tied().
   void hold_rotors();
   void put_bodies(std::size_t subsystem, const Eigen::VectorXd& q, const Eigen::VectorXd& v);
@@ -160,8 +158,6 @@ class SteadySystem final : public SteadyModel {
   std::vector<std::vector<SubsystemCoordinate>> coordinates_;
   std::vector<std::vector<ClosureRow>> rows_;
   std::vector<std::string> standing_springs_;  ///< names of loops by subsystem, if the hub turns
-  /// By subsystem: forces of the rows of its loops, of which those of shares count.
-  std::vector<Eigen::VectorXd> shared_forces_;
   std::vector<std::vector<Eigen::VectorXd>> q_elastic_, v_elastic_;  ///< flex vectors by body
   std::vector<Eigen::MatrixXd> stiffness_;
   std::vector<Eigen::Matrix3d> tip_axes_;  ///< undeformed, by subsystem

@@ -9,6 +9,8 @@
 #include "engine/bodies/kernels/space/supported_rotor.h"
 #include "engine/small_motions/steady/steady_loops.h"
 #include "engine/small_motions/steady/steady_system.h"
+#include "engine/step/formulation/loops/shared_loops.h"
+#include "engine/step/stages.h"
 
 namespace spoke::steady {
 
@@ -108,11 +110,9 @@ void SteadySystem<World>::evaluate_tied(const std::vector<std::size_t>& group,
   for (std::size_t m = 0; m < group.size(); ++m)
     put_loops(model, group[m], states[m], rows_[group[m]], context_.data, responses[m]);
   hand_out(group, model, context_.data, responses);
-  shared_forces_.resize(subsystems());
   std::vector<std::vector<CarriedWrench<World>>> carried(subsystems());
   for (auto at = outward.rbegin(); at != outward.rend(); ++at) {
     const std::size_t i = group[*at];
-    shared_forces_[i] = responses[*at].multipliers;
     sum_response(i, carried[i], responses[*at]);
     if (data(i).rotor < 0) continue;
     const SupportedRotor& rotor = model.rotors[static_cast<std::size_t>(data(i).rotor)];
@@ -151,23 +151,21 @@ std::vector<Eigen::VectorXd> SteadySystem<World>::accelerations_tied(
     return found;
   }
   carry_rotors(true, context_.system, context_.data);
-  for (const graph::NodeId node : pass_) graph_->run_node(node);
+  for (const graph::NodeId node : pass_) {
+    const std::string& stage = graph_->node(node).label.stage;
+    if (stage != stages::kHubSolve.name && stage != stages::kSupportSolve.name) {
+      graph_->run_node(node);
+      continue;
+    }
+    // The hub's motion is given.
+    factorise_shared_loops(context_.system, context_.data);
+    calc_shared_forces(context_.system, context_.data);
+  }
   for (const std::size_t i : group) found.push_back(take_accelerations(i));
   hold_rotors();
   for (const std::size_t i : group)
     for (const graph::NodeId node : terms_[i]) graph_->run_node(node);
   return found;
-}
-
-/// Sets the forces of rows that other subsystems share, which a subsystem alone does not find.
-template <class World>
-void SteadySystem<World>::put_shared_forces(std::size_t subsystem) {
-  if (subsystem >= shared_forces_.size()) return;
-  const Eigen::VectorXd& forces = shared_forces_[subsystem];
-  LoopData<World>& loops = data(subsystem).loops;
-  for (Eigen::Index r = 0; r < forces.size(); ++r)
-    if (const auto row = static_cast<std::size_t>(r); !loops.is_closed(row))
-      loops.multipliers[row] = forces[r];
 }
 
 template std::vector<std::vector<std::size_t>> group_subsystems(const System<Plane>&);
@@ -177,7 +175,6 @@ template void SteadySystem<Plane>::evaluate_tied(const std::vector<std::size_t>&
 template std::vector<Eigen::VectorXd> SteadySystem<Plane>::accelerations_tied(
     const std::vector<std::size_t>&);
 template void SteadySystem<Plane>::hold_rotors();
-template void SteadySystem<Plane>::put_shared_forces(std::size_t);
 template std::vector<std::vector<std::size_t>> group_subsystems(const System<Space>&);
 template void SteadySystem<Space>::evaluate_tied(const std::vector<std::size_t>&,
                                                  const std::vector<SubsystemState>&,
@@ -185,6 +182,5 @@ template void SteadySystem<Space>::evaluate_tied(const std::vector<std::size_t>&
 template std::vector<Eigen::VectorXd> SteadySystem<Space>::accelerations_tied(
     const std::vector<std::size_t>&);
 template void SteadySystem<Space>::hold_rotors();
-template void SteadySystem<Space>::put_shared_forces(std::size_t);
 
 }  // namespace spoke::steady

@@ -298,7 +298,7 @@ TEST_CASE(
   const std::size_t support = hinges.find("[support]"), blades = hinges.find("[[subsystem]]");
   const LinearSystem system = solve_linear_system(
       parse(hinges.substr(0, support) + hinges.substr(blades) +
-            "[[load]]\nsubsystem='b1'\nbody='rod'\nforce=[0,1,0]\nframe='body'\n"),
+            "[[load]]\nsubsystem='b1'\nbody='rod'\npoint=[1,0,0]\nforce=[0,1,0]\nframe='body'\n"),
       {}, ModeFrame::turning);
   std::set<std::string> names;
   for (const LinearSignal& input : system.inputs) names.insert(input.name);
