@@ -2,6 +2,9 @@
 
 #include "models/wind.h"
 
+#include <array>
+#include <cstddef>
+
 namespace spoke {
 namespace {
 
@@ -14,13 +17,21 @@ bool is_same(const std::optional<Curve>& a, const std::optional<Curve>& b) {
 
 bool operator==(const Wind& a, const Wind& b) {
   return a.velocity == b.velocity && is_same(a.speed, b.speed) && a.file == b.file &&
-         a.shear_exponent == b.shear_exponent && a.reference_height == b.reference_height &&
-         a.up == b.up && a.ground == b.ground && a.gust == b.gust && a.turbulence == b.turbulence &&
-         a.by_program == b.by_program && a.field == b.field;
+         a.shear_exponent == b.shear_exponent && a.vertical_shear == b.vertical_shear &&
+         a.horizontal_shear == b.horizontal_shear && a.reference_height == b.reference_height &&
+         a.up == b.up && a.ground == b.ground && a.gusts == b.gusts &&
+         a.turbulence == b.turbulence && a.by_program == b.by_program && a.field == b.field;
 }
 
 std::string_view name_of(GustShape shape) {
-  return shape == GustShape::one_minus_cosine ? "one_minus_cosine" : "operating";
+  constexpr std::array<std::string_view, 3> names{"one_minus_cosine", "operating", "rise"};
+  return names[static_cast<std::size_t>(shape)];
+}
+
+std::string_view name_of(GustOf of) {
+  constexpr std::array<std::string_view, 4> names{"speed", "direction", "vertical_shear",
+                                                  "horizontal_shear"};
+  return names[static_cast<std::size_t>(of)];
 }
 
 std::string_view name_of(TurbulenceSpectrum) { return "kaimal"; }

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "models/curve.h"
 #include "spoke/export.h"
@@ -42,15 +43,24 @@ class SPOKE_EXPORT WindField {
 /// The shape of a gust over its duration T, amplitude A: with s the share of T that is over.
 enum class GustShape {
   one_minus_cosine,  ///< A/2 (1 - cos 2 pi s)
-  operating          ///< -0.37 A sin(3 pi s) (1 - cos 2 pi s): extreme operating gust, IEC 61400-1
+  operating,         ///< -0.37 A sin(3 pi s) (1 - cos 2 pi s): extreme operating gust, IEC 61400-1
+  rise               ///< A/2 (1 - cos pi s), and A ever after
+};
+/// What a gust changes.
+enum class GustOf {
+  speed,            ///< the speed along the wind, everywhere alike [m/s]
+  direction,        ///< the direction of the wind, about `up` [rad]
+  vertical_shear,   ///< Wind::vertical_shear [1/m]
+  horizontal_shear  ///< Wind::horizontal_shear [1/m]
 };
 
-/// A change of the wind speed over a while, everywhere at once, along the wind.
+/// A change of the wind over a while, everywhere at once.
 struct WindGust {
-  double amplitude = 0.0;  ///< [m/s]
+  double amplitude = 0.0;  ///< in the unit of what it changes
   double start = 0.0;      ///< [s]
   double duration = 10.5;  ///< [s]
   GustShape shape = GustShape::one_minus_cosine;
+  GustOf of = GustOf::speed;
 
   friend bool operator==(const WindGust&, const WindGust&) = default;
 };
@@ -108,10 +118,13 @@ struct Wind {
   /// Exponent of the power law: speed = that at the reference height times (height/reference
   /// height)^exponent.
   double shear_exponent = 0.0;
+  /// Linear shear: share of the speed at the reference height by which it grows on a metre upwards,
+  /// and on one across, to the left for who looks along the wind, from the origin [1/m].
+  double vertical_shear = 0.0, horizontal_shear = 0.0;
   std::optional<double> reference_height{};       ///< [m]; of shear and turbulence
   Eigen::Vector3d up = Eigen::Vector3d::UnitZ();  ///< of any length but zero
   double ground = 0.0;                            ///< coordinate of the ground along `up` [m]
-  std::optional<WindGust> gust{};
+  std::vector<WindGust> gusts{};                  ///< whose changes add up
   std::optional<WindTurbulence> turbulence{};
   /// Whether the program gives the wind, as `field`, in place of all else.
   bool by_program = false;
@@ -124,8 +137,10 @@ struct Wind {
 /// Whether two descriptions are equal; what they keep does not count.
 SPOKE_EXPORT bool operator==(const Wind& a, const Wind& b);
 
-/// Returns "one_minus_cosine" or "operating".
+/// Returns "one_minus_cosine", "operating" or "rise".
 SPOKE_EXPORT std::string_view name_of(GustShape shape);
+/// Returns "speed", "direction", "vertical_shear" or "horizontal_shear".
+SPOKE_EXPORT std::string_view name_of(GustOf of);
 /// Returns "kaimal".
 SPOKE_EXPORT std::string_view name_of(TurbulenceSpectrum spectrum);
 /// Returns "centre" or "none".

@@ -58,6 +58,7 @@ FUNCTIONS = {
     "air": (["air"], "Air around the blades, in space."),
     "wind": (["wind"], "Wind before a rotor disturbs it, in space."),
     "gust": (["wind.gust"], "A gust of the wind."),
+    "iec_wind": (["wind.iec"], "A wind condition of IEC 61400-1."),
     "turbulence": (["wind.turbulence"], "Turbulence of the wind."),
     "aerodynamics": (["aerodynamics"], "How induction, inflow and stall are modelled, in space."),
     "blade_aerodynamics": (["blade.aerodynamics"], "Chords and aerofoils of a blade."),

@@ -202,7 +202,9 @@ std::shared_ptr<const WindField> make_hub_wind(SimulationCore& core, const WindC
 bool is_known_at_hub(SimulationCore& core) {
   if (dynamic_cast<const air::HubWind*>(wind_of(core).get())) return true;
   const Wind& wind = core.scenario.space->air->wind;
-  return !wind.gust && !wind.turbulence && wind.file.empty() && !wind.by_program && !wind.field;
+  if (wind.vertical_shear != 0.0 || wind.horizontal_shear != 0.0) return false;
+  return wind.gusts.empty() && !wind.turbulence && wind.file.empty() && !wind.by_program &&
+         !wind.field;
 }
 
 /// Returns the wind of the scenario.

@@ -17,15 +17,12 @@ std::optional<Curve> find_shear_course(const Wind& wind) {
   return find_wind(wind)->shear_course();
 }
 
-double calc_height(const Wind& wind, const Eigen::Vector3d& place) {
-  return place.dot(wind.up.normalized()) - wind.ground;
-}
-
 }  // namespace
 
 WindFault find_hub_wind_fault(const Wind& description, const Eigen::Vector3d& hub) {
-  const bool has_shear = description.shear_exponent != 0.0 || find_shear_course(description);
-  const double height = calc_height(description, hub);
+  const bool has_shear = description.shear_exponent != 0.0 || description.vertical_shear != 0.0 ||
+                         find_shear_course(description);
+  const double height = WindAxes(description).height(hub);
   if (!has_shear || height > 0.0) return {};
   return {"ground", "is " + describe(description.ground) + ", and the hub is at a height of " +
                         describe(height) +
@@ -37,10 +34,12 @@ HubWind::HubWind(const Wind& description, std::shared_ptr<const WindField> repla
                  const Eigen::Vector3d& hub, const WindCourse& course)
     : replaced_(std::move(replaced)),
       course_(course),
-      up_(description.up.normalized()),
-      ground_(description.ground),
-      hub_height_(calc_height(description, hub)),
+      axes_(description),
+      hub_(hub),
+      hub_height_(axes_.height(hub)),
       shear_exponent_(description.shear_exponent),
+      vertical_shear_(description.vertical_shear),
+      horizontal_shear_(description.horizontal_shear),
       shear_course_(find_shear_course(description)) {
   if (const WindFault fault = find_hub_wind_fault(description, hub)) {
     const std::string key = "wind." + fault.key;
@@ -55,8 +54,11 @@ std::shared_ptr<const WindField> HubWind::with(const WindCourse& course) const {
 }
 
 double HubWind::profile(const Eigen::Vector3d& place, double t) const {
-  return calc_shear(place.dot(up_) - ground_, hub_height_,
-                    shear_course_ ? shear_course_->value(t) : shear_exponent_);
+  const double height = axes_.height(place);
+  return calc_shear(height, hub_height_,
+                    shear_course_ ? shear_course_->value(t) : shear_exponent_) +
+         calc_linear_shear(height - hub_height_, (place - hub_).dot(axes_.across()), hub_height_,
+                           vertical_shear_, horizontal_shear_);
 }
 
 }  // namespace spoke::air

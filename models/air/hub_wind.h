@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "models/air/wind_field.h"
 #include "models/air/wind_rules.h"
 #include "models/curve.h"
 #include "models/wind.h"
@@ -15,7 +16,8 @@ namespace spoke::air {
 
 /// A wind of which the velocity at the hub is given, instead of what a description says of speed,
 /// direction, gusts and turbulence. The description's shear is kept, that of its table included:
-/// v(p, t) = v(hub, t) (h/h_hub)^a with h the height of p over the ground.
+/// v(p, t) = v(hub, t) ((h/h_hub)^a + k_v (h - h_hub) + k_h y) with h the height of p over the
+/// ground, and y its distance from the hub across the wind of the description.
 class HubWind final : public WindField {
  public:
   /// replaced: the wind of the description; hub: its place, which stays [m]. Throws InputError if
@@ -37,10 +39,10 @@ class HubWind final : public WindField {
 
   std::shared_ptr<const WindField> replaced_;
   WindCourse course_;
-  Eigen::Vector3d up_;
-  double ground_;
+  WindAxes axes_;
+  Eigen::Vector3d hub_;
   double hub_height_;
-  double shear_exponent_;
+  double shear_exponent_, vertical_shear_, horizontal_shear_;
   std::optional<Curve> shear_course_;  ///< in place of shear_exponent_
 };
 

@@ -51,6 +51,12 @@ class WindAxes {
 /// ground is that on it.
 double calc_shear(double height, double reference_height, double exponent) noexcept;
 
+/// Returns what linear shear adds to that factor at a place so far over the reference height and
+/// across from where nothing is added [m]. vertical, horizontal: shear [1/m]. The air below the
+/// ground is that on it.
+double calc_linear_shear(double upwards, double across, double reference_height, double vertical,
+                         double horizontal) noexcept;
+
 /// Returns the wind of a description without fault, and of what is in its file or was generated.
 std::shared_ptr<const WindField> compose_wind(const Wind& wind, WindData data);
 

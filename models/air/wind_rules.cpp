@@ -58,16 +58,26 @@ WindFault find_source_fault(const Wind& wind) {
   const FirstWindFault first;
   if (!wind.file.empty() && wind.speed) first.add("speed", kAlong);
   if (!wind.file.empty() && wind.turbulence) first.add("turbulence", kAlong);
-  if (is_bts(wind.file) && wind.shear_exponent != 0.0)
-    first.add("shear_exponent", "given along with a file of TurbSim, which has its own shear");
+  constexpr const char* kOwnShear = "given along with a file of TurbSim, which has its own shear";
+  if (is_bts(wind.file) && wind.shear_exponent != 0.0) first.add("shear_exponent", kOwnShear);
+  if (is_bts(wind.file) && wind.vertical_shear != 0.0) first.add("vertical_shear", kOwnShear);
+  if (is_bts(wind.file) && wind.horizontal_shear != 0.0) first.add("horizontal_shear", kOwnShear);
   if (wind.turbulence && wind.speed)
     first.add("turbulence", "is of a wind whose speed has a course, expected a constant velocity");
   return first.found();
 }
 
+/// Whether a gust changes the wind of places in different ways.
+bool is_of_places(const WindGust& gust) {
+  return gust.of == GustOf::vertical_shear || gust.of == GustOf::horizontal_shear;
+}
+
 /// Finds a direction of the wind for which nothing is across.
 WindFault find_direction_fault(const Wind& wind) {
-  const bool has_heights = wind.turbulence || wind.shear_exponent != 0.0;
+  const bool has_heights = wind.turbulence || wind.shear_exponent != 0.0 ||
+                           wind.vertical_shear != 0.0 || wind.horizontal_shear != 0.0 ||
+                           std::any_of(wind.gusts.begin(), wind.gusts.end(),
+                                       [](const WindGust& gust) { return is_of_places(gust); });
   if (!has_heights && wind.file.empty()) return {};
   const double along_up = direction_of(wind).dot(wind.up.normalized());
   if (!wind.file.empty() && std::abs(along_up) > 1e-9)
@@ -84,7 +94,12 @@ WindFault find_reference_fault(const Wind& wind) {
   constexpr const char* kMissing = "is missing, expected the height at which velocity is (m), for ";
   if (wind.shear_exponent != 0.0)
     return {"reference_height", std::string(kMissing) + "shear_exponent"};
+  if (wind.vertical_shear != 0.0)
+    return {"reference_height", std::string(kMissing) + "vertical_shear"};
   if (wind.turbulence) return {"reference_height", std::string(kMissing) + "turbulence"};
+  for (const WindGust& gust : wind.gusts)
+    if (gust.of == GustOf::vertical_shear)
+      return {"reference_height", std::string(kMissing) + "a gust of vertical_shear"};
   return {};
 }
 
@@ -141,14 +156,19 @@ WindFault find_number_fault(const Wind& wind) {
     first.numbers("speed", wind.speed->values(), kWindSpeed);
   }
   first("shear_exponent", wind.shear_exponent, kShearExponent);
+  first("vertical_shear", wind.vertical_shear, kLinearShear);
+  first("horizontal_shear", wind.horizontal_shear, kLinearShear);
   if (wind.reference_height) first("reference_height", *wind.reference_height, kReferenceHeight);
   first.numbers("up", std::vector<double>{wind.up.x(), wind.up.y(), wind.up.z()}, kUp);
   if (wind.up.isZero(0.0)) first.add("up", "has length 0, expected a direction");
   first("ground", wind.ground, kGround);
-  if (first.found() || !wind.gust) return first.found();
-  const FirstWindFault of_gust("gust.");
-  keys::visit_numbers<void>(keys::kGustRows, *wind.gust, of_gust);
-  return of_gust.found();
+  if (first.found()) return first.found();
+  for (std::size_t k = 0; k < wind.gusts.size(); ++k) {
+    const FirstWindFault of_gust("gust." + std::to_string(k + 1) + '.');
+    keys::visit_numbers<void>(keys::kGustRows, wind.gusts[k], of_gust);
+    if (of_gust.found()) return of_gust.found();
+  }
+  return {};
 }
 
 }  // namespace

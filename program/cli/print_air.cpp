@@ -74,6 +74,10 @@ std::string describe_mean(const Wind& wind, const Eigen::Vector3d& hub) {
   if (wind.ground != 0.0)
     text += fmt::format(" above the ground at {} m", short_number(wind.ground));
   if (wind.shear_exponent != 0.0) text += ", shear exponent " + short_number(wind.shear_exponent);
+  if (wind.vertical_shear != 0.0)
+    text += ", vertical shear " + short_number(wind.vertical_shear) + " 1/m";
+  if (wind.horizontal_shear != 0.0)
+    text += ", horizontal shear " + short_number(wind.horizontal_shear) + " 1/m";
   return text;
 }
 
@@ -82,6 +86,18 @@ std::string describe_course(const Curve& speed) {
   return fmt::format("speed over time, {} to {} m/s, from {} to {} s", short_number(*least),
                      short_number(*most), short_number(speed.times().front()),
                      short_number(speed.times().back()));
+}
+
+/// Describes a gust by the unit of what it changes: "gust of 3 m/s from 5 s on for 10.5 s,
+/// one_minus_cosine", "gust of direction, 30 deg from ...".
+std::string describe(const WindGust& gust) {
+  std::string size = short_number(gust.amplitude) + " m/s";
+  if (gust.of == GustOf::direction)
+    size = "direction, " + short_number(gust.amplitude * 180.0 / std::numbers::pi) + " deg";
+  else if (gust.of != GustOf::speed)
+    size = std::string(name_of(gust.of)) + ", " + short_number(gust.amplitude) + " 1/m";
+  return fmt::format("gust of {} from {} s on for {} s, {}", size, short_number(gust.start),
+                     short_number(gust.duration), name_of(gust.shape));
 }
 
 std::vector<std::string> describe(const Wind& wind, const Eigen::Vector3d& hub) {
@@ -93,18 +109,17 @@ std::vector<std::string> describe(const Wind& wind, const Eigen::Vector3d& hub) 
     const std::string file = std::filesystem::path(wind.file).filename().string();
     lines.push_back("mean of " + file + (box ? ": " + describe(*box) : ", a table over time"));
   }
-  if (wind.gust)
-    lines.push_back(fmt::format("gust of {} m/s from {} s on for {} s, {}",
-                                short_number(wind.gust->amplitude), short_number(wind.gust->start),
-                                short_number(wind.gust->duration), name_of(wind.gust->shape)));
+  for (const WindGust& gust : wind.gusts) lines.push_back(describe(gust));
   if (wind.turbulence) {
     // The next line says what the box is.
     constexpr std::array<std::string_view, 7> kSaid{"intensity", "spectrum",  "seed",    "width",
                                                     "height",    "time_step", "duration"};
-    lines.push_back(fmt::format(
-        "turbulence of {} %, {}, seed {}{}", short_number(100.0 * wind.turbulence->intensity),
-        name_of(wind.turbulence->spectrum), wind.turbulence->seed,
-        keys::describe_others(keys::kTurbulenceRows, &*wind.turbulence, kSaid)));
+    lines.push_back(
+        fmt::format("turbulence of {} %, {} m/s, {}, seed {}{}",
+                    short_number(100.0 * wind.turbulence->intensity),
+                    short_number(wind.turbulence->intensity * wind.velocity.norm()),
+                    name_of(wind.turbulence->spectrum), wind.turbulence->seed,
+                    keys::describe_others(keys::kTurbulenceRows, &*wind.turbulence, kSaid)));
     lines.push_back(describe(*air::find_wind(wind)->box()));
   }
   return lines;

@@ -40,7 +40,7 @@ int write_wind(const Arguments& arguments) {
   print_line("box", fmt::format("{} x {} points over {:.6g} x {:.6g} m, {} times every {:.6g} s",
                                 box.n_y, box.n_z, box.dy * static_cast<double>(box.n_y - 1),
                                 box.dz * static_cast<double>(box.n_z - 1), box.n_t, box.dt));
-  if (wind.gust) print_line("left out", "the gust, which does not repeat");
+  if (!wind.gusts.empty()) print_line("left out", "gusts, which do not repeat");
   print_line("written", file);
   return 0;
 }

@@ -81,6 +81,7 @@ __all__ = [
     "gust",
     "hub",
     "hub_load",
+    "iec_wind",
     "initial",
     "integration",
     "interface",
@@ -823,7 +824,8 @@ def air(*, density=None, viscosity=None):
 
 
 def wind(*, velocity=None, time=None, speed=None, file=None, shear_exponent=None,
-         reference_height=None, up=None, ground=None, gust=None, turbulence=None, by=None):
+         vertical_shear=None, horizontal_shear=None, reference_height=None, up=None, ground=None,
+         gust=None, turbulence=None, iec=None, by=None):
     """Wind before a rotor disturbs it, in space.
 
     velocity: mean velocity at the reference height, in the inertial frame. Where speed or file
@@ -834,30 +836,54 @@ def wind(*, velocity=None, time=None, speed=None, file=None, shear_exponent=None
     file: a file of TurbSim (.bts) or a table, relative to the scenario; in place of speed and
         turbulence
     shear_exponent: exponent of the power law, 0 to 1
-    reference_height: height over the ground at which velocity is; shear_exponent and turbulence
-        need it [m]
+    vertical_shear: linear shear: share of the speed at the reference height by which it grows on a
+        metre upwards [1/m]
+    horizontal_shear: likewise across the wind, to the left for who looks along it, from the origin
+        on [1/m]
+    reference_height: height over the ground at which velocity is; shear and turbulence need it [m]
     up: direction away from the ground
     ground: coordinate of the ground along up [m]
-    gust: table, see gusts
+    gust: table, or several: see gusts
     turbulence: table, see turbulence
+    iec: table, see conditions of IEC 61400-1
     by: "program": the embedding program gives the wind, and no other key is there
     """
     return _given(locals())
 
 
-def gust(*, amplitude, start=None, duration=None, shape=None):
+def gust(*, amplitude, start=None, duration=None, shape=None, of=None):
     """A gust of the wind.
 
-    amplitude: A of the shape; may be negative [m/s]
+    amplitude: A of the shape, in the unit of what it changes; may be negative
     start: [s]
     duration: T of the shape [s]
-    shape: "one_minus_cosine" or "operating"
+    shape: "one_minus_cosine", "operating" or "rise"
+    of: what it changes: "speed" (m/s), "direction" (rad), "vertical_shear" or "horizontal_shear"
+        (1/m)
     """
     return _given(locals())
 
 
-def turbulence(*, intensity, width, seed=None, spectrum=None, length_scale=None,
-               deviation_ratio=None, scale=None, coherence=None, coherence_decay=None, height=None,
+def iec_wind(*, class_, case, speed=None, start=None, sign=None, direction=None, period=None,
+             turbulent=None, seed=None, rotor_diameter=None):
+    """A wind condition of IEC 61400-1.
+
+    class_: of the turbine, by reference speed and turbulence
+    case: the wind condition
+    speed: mean speed at the hub; of "EWM" the class has it [m/s]
+    start: when "EOG", "EDC", "ECD" or "EWS" begins [s]
+    sign: 1 or −1: of "EDC", "ECD" and "EWS"
+    direction: of "EWS"
+    period: years in which "EWM" recurs once, 1 or 50
+    turbulent: "EWM" by its turbulent model, not the steady one
+    seed: of turbulence
+    rotor_diameter: of gusts, shear and the box of turbulence [m]
+    """
+    return _given(locals())
+
+
+def turbulence(*, intensity=None, seed=None, spectrum=None, length_scale=None, deviation_ratio=None,
+               scale=None, coherence=None, coherence_decay=None, width=None, height=None,
                points=None, time_step=None, duration=None):
     """Turbulence of the wind.
 

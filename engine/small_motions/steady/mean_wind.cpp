@@ -20,8 +20,8 @@ Scenario in_mean_wind(const Scenario& scenario, Instant instant, WindPlaces plac
   assert(has_changing_wind(scenario));
   Wind wind = scenario.space->air->wind;
   if (wind.speed && instant == Instant::end) wind.speed = Curve(wind.speed->values().back());
-  if (wind.gust || wind.turbulence) {  // the mean has neither, and turbulence takes long to make
-    wind.gust.reset();
+  if (!wind.gusts.empty() || wind.turbulence) {  // the mean has neither, and a box takes long
+    wind.gusts.clear();
     wind.turbulence.reset();
     wind.kept.reset();
   }

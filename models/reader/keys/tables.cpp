@@ -145,6 +145,7 @@ void add_air(std::vector<Table>& all) {
   all.push_back({"air", {{"[air]", kAirRows}}});
   all.push_back({"wind", {{"[wind]", kWindRows}}});
   all.push_back({"wind.gust", {{"[wind.gust]", kGustRows}}});
+  all.push_back({"wind.iec", {{"[wind.iec]", kIecRows}}});
   all.push_back({"wind.turbulence", {{"[wind.turbulence]", kTurbulenceRows}}});
   all.push_back({"aerodynamics", {{"[aerodynamics]", kAerodynamicsRows}}});
   all.push_back(

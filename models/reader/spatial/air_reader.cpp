@@ -145,7 +145,7 @@ std::optional<Air> read_air(const TomlSection& root, const std::string& folder,
   }
   Air air;
   keys::read(root.section("air", keys::keys_of(keys::kAirRows)), keys::kAirRows, &air);
-  if (root.has("wind")) air.wind = read_wind(root.section("wind", wind_keys()), folder);
+  if (root.has("wind")) air.wind = read_wind(root.section("wind", wind_keys()), folder, model);
   keys::read(root.section("aerodynamics", keys::keys_of(keys::kAerodynamicsRows)),
              keys::kAerodynamicsRows, &air);
   for (const TomlSection& table :

@@ -11,9 +11,13 @@
 namespace spoke::spatial {
 namespace {
 
-Json to_json(const WindGust& gust) {
-  Json json = Json::object();
-  keys::write(keys::kGustRows, &gust, json);
+Json to_json(const std::vector<WindGust>& gusts) {
+  Json json = Json::array();
+  for (const WindGust& gust : gusts) {
+    Json table = Json::object();
+    keys::write(keys::kGustRows, &gust, table);
+    json.push_back(std::move(table));
+  }
   return json;
 }
 
@@ -44,10 +48,12 @@ Json wind_to_json(const Wind& wind) {
     json.set("file", error ? wind.file : file.lexically_normal().string());
   }
   json.set("shear_exponent", wind.shear_exponent);
+  if (wind.vertical_shear != 0.0) json.set("vertical_shear", wind.vertical_shear);
+  if (wind.horizontal_shear != 0.0) json.set("horizontal_shear", wind.horizontal_shear);
   if (wind.reference_height) json.set("reference_height", *wind.reference_height);
   json.set("up", spatial::to_json(wind.up));
   json.set("ground", wind.ground);
-  if (wind.gust) json.set("gust", to_json(*wind.gust));
+  if (!wind.gusts.empty()) json.set("gust", to_json(wind.gusts));
   if (wind.turbulence) json.set("turbulence", to_json(*wind.turbulence));
   return json;
 }

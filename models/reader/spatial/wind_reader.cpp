@@ -6,11 +6,14 @@
 #include <cmath>
 #include <filesystem>
 
+#include "models/air/wind_field.h"
 #include "models/air/wind_kept.h"
 #include "models/air/wind_rules.h"
 #include "models/reader/curve_reader.h"
 #include "models/reader/row_reader.h"
 #include "models/reader/spatial/vector_reader.h"
+#include "models/spatial_model.h"
+#include "models/tree/hub_place.h"
 #include "spoke/error.h"
 
 namespace spoke::spatial {
@@ -31,8 +34,10 @@ std::array<int, 2> read_points(const TomlSection& section) {
   return {static_cast<int>(numbers[0]), static_cast<int>(numbers[1])};
 }
 
-WindTurbulence read_turbulence(const TomlSection& section) {
-  WindTurbulence turbulence;
+/// Reads turbulence; with `standard`, what is missing is as it has it.
+WindTurbulence read_turbulence(const TomlSection& section,
+                               const std::optional<WindTurbulence>& standard) {
+  WindTurbulence turbulence = standard.value_or(WindTurbulence{});
   keys::read(section, keys::kTurbulenceRows, &turbulence);
   if (section.has("deviation_ratio")) {
     const std::vector<double> ratios = section.numbers("deviation_ratio", air::kDeviationRatio, 3);
@@ -40,6 +45,16 @@ WindTurbulence read_turbulence(const TomlSection& section) {
   }
   if (section.has("points")) turbulence.points = read_points(section);
   return turbulence;
+}
+
+/// Reads the gust, or an array of them.
+void read_gusts(const TomlSection& section, std::vector<WindGust>& gusts) {
+  const TomlSection::Keys known = keys::keys_of(keys::kGustRows);
+  if (section.is_array("gust"))
+    for (const TomlSection& gust : section.sections("gust", known))
+      keys::read(gust, keys::kGustRows, &gusts.emplace_back());
+  else if (section.has("gust"))
+    keys::read(section.section("gust", known), keys::kGustRows, &gusts.emplace_back());
 }
 
 std::string read_file(const TomlSection& section, const std::string& folder) {
@@ -59,10 +74,75 @@ void read_speed(const TomlSection& section, Wind& wind) {
     wind.speed = read_curve(section, "time", air::kWindTime, "speed", air::kWindSpeed);
   if (section.has("shear_exponent"))
     wind.shear_exponent = section.number("shear_exponent", air::kShearExponent);
+  if (section.has("vertical_shear"))
+    wind.vertical_shear = section.number("vertical_shear", air::kLinearShear);
+  if (section.has("horizontal_shear"))
+    wind.horizontal_shear = section.number("horizontal_shear", air::kLinearShear);
   if (section.has("reference_height"))
     wind.reference_height = section.number("reference_height", air::kReferenceHeight);
   if (section.has("up")) wind.up = read_vector(section, "up", air::kUp);
   if (section.has("ground")) wind.ground = section.number("ground", air::kGround);
+}
+
+/// Refuses keys of [wind.iec] that its case does not have.
+void require_iec_keys(const TomlSection& section, const IecWind& iec) {
+  using enum IecCase;
+  struct Belonging {
+    const char* key;
+    std::vector<IecCase> to;
+  };
+  const Belonging all[] = {{"start", {eog, edc, ecd, ews}},
+                           {"sign", {edc, ecd, ews}},
+                           {"direction", {ews}},
+                           {"period", {ewm}},
+                           {"turbulent", {ewm}},
+                           {"seed", {ntm, etm, ewm}}};
+  for (const Belonging& of : all) {
+    if (!section.has(of.key)) continue;
+    if (std::find(of.to.begin(), of.to.end(), iec.condition) != of.to.end()) continue;
+    TomlSection::Keys names;
+    for (const IecCase one : of.to) names.push_back(name_of(one));
+    section.fail(of.key, "does not belong to case \"" + std::string(name_of(iec.condition)) +
+                             "\", expected only with case " + join_names(names));
+  }
+}
+
+/// Returns the diameter of the first rotor by its blades; none if it has none.
+std::optional<double> find_diameter(const Model& model) {
+  double most = 0.0;
+  for (const Blade& blade : model.blades)
+    if (blade.rotor == 0)
+      most = std::max(most, model.hub.radius + blade.beam.length * std::cos(blade.precone));
+  return most > 0.0 ? std::optional<double>(2.0 * most) : std::nullopt;
+}
+
+/// Reads [wind.iec] into the wind, whose direction and heights have been read.
+void read_iec(const TomlSection& section, const Model& model, Wind& wind) {
+  for (const char* key : {"by", "time", "speed", "file", "gust"})
+    if (section.has(key))
+      section.fail(key, "given along with iec, which gives the wind; expected only one of them");
+  if (const air::WindFault fault =
+          air::find_wind_fault(Wind{.velocity = wind.velocity, .up = wind.up}))
+    section.fail_at(fault.key, fault.text);
+  const TomlSection own = section.section("iec", keys::keys_of(keys::kIecRows));
+  IecWind iec;
+  keys::read(own, keys::kIecRows, &iec);
+  require_iec_keys(own, iec);
+  if (!iec.rotor_diameter) iec.rotor_diameter = find_diameter(model);
+  if (!wind.reference_height) {
+    const double height = air::WindAxes(wind).height(find_hub_place(model));
+    if (height > 0.0) wind.reference_height = height;
+  }
+  try {
+    const double exponent = wind.shear_exponent;
+    wind = make_iec_wind(iec, wind);
+    if (section.has("shear_exponent")) wind.shear_exponent = exponent;
+  } catch (const InputError& error) {
+    section.fail_at(error.place().key, error.what());
+  }
+  if (section.has("turbulence") && !wind.turbulence)
+    section.fail("turbulence", "given along with case \"" + std::string(name_of(iec.condition)) +
+                                   "\" of iec, which has none; expected none");
 }
 
 /// Reads the file, once all else is known to be right.
@@ -79,7 +159,7 @@ void keep(const TomlSection& section, Wind& wind) {
 
 TomlSection::Keys wind_keys() { return keys::keys_of(keys::kWindRows); }
 
-Wind read_wind(const TomlSection& section, const std::string& folder) {
+Wind read_wind(const TomlSection& section, const std::string& folder, const Model& model) {
   Wind wind;
   if (section.has("by")) {
     keys::read_word(section, keys::kWindRows, "by");
@@ -87,12 +167,11 @@ Wind read_wind(const TomlSection& section, const std::string& folder) {
   }
   read_speed(section, wind);
   if (section.has("file")) wind.file = read_file(section, folder);
-  if (section.has("gust"))
-    keys::read(section.section("gust", keys::keys_of(keys::kGustRows)), keys::kGustRows,
-               &wind.gust.emplace());
+  read_gusts(section, wind.gusts);
+  if (section.has("iec")) read_iec(section, model, wind);
   if (section.has("turbulence"))
-    wind.turbulence =
-        read_turbulence(section.section("turbulence", keys::keys_of(keys::kTurbulenceRows)));
+    wind.turbulence = read_turbulence(
+        section.section("turbulence", keys::keys_of(keys::kTurbulenceRows)), wind.turbulence);
   keep(section, wind);
   return wind;
 }

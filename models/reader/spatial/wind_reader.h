@@ -14,9 +14,10 @@ namespace spoke::spatial {
 /// Returns the keys of [wind].
 TomlSection::Keys wind_keys();
 
-/// Reads the table [wind], and the file that it names, relative to `folder`. Throws InputError with
-/// file, line and key; of what is wrong in a file of wind, with its name and place.
-Wind read_wind(const TomlSection& section, const std::string& folder);
+/// Reads the table [wind], and the file that it names, relative to `folder`. `model`: tells the
+/// height of the hub and the diameter of the rotor. Throws InputError with file, line and key; of
+/// what is wrong in a file of wind, with its name and place.
+Wind read_wind(const TomlSection& section, const std::string& folder, const Model& model);
 
 /// Finds a fault of a wind that is filled in code, whatever is in its file.
 Fault find_fault(const Wind& wind);

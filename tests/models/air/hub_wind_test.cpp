@@ -64,6 +64,17 @@ TEST_CASE("the velocity at the hub is the one given, and shear goes by the hub's
           given.replaced()->velocity({1.0, 2.0, height}, 7.0));
 }
 
+TEST_CASE("linear shear goes by the distance from the hub, of whose velocity it is a share") {
+  Wind wind = make_sheared(90.0);
+  wind.vertical_shear = 0.004;
+  wind.horizontal_shear = 0.001;
+  const Vector3d hub(-5.0, 3.0, 80.0);
+  const air::HubWind given(wind, make_wind(wind), hub, kCourse);
+  CHECK(given.velocity(hub, 3.0) == kCourse.at(3.0));
+  const double share = std::pow(100.0 / 80.0, 0.2) + 0.004 * 20.0 + 0.001 * 37.0;
+  CHECK((given.velocity({0.0, 40.0, 100.0}, 3.0) - share * kCourse.at(3.0)).norm() <= 1e-12);
+}
+
 TEST_CASE("without shear the wind is equal everywhere, and another course is of the same hub") {
   const Wind still;
   const air::HubWind given(still, make_wind(still), Vector3d::Zero(), kCourse);

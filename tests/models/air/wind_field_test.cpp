@@ -84,7 +84,7 @@ TEST_CASE("the course of the speed is along the direction of the velocity") {
 TEST_CASE("gusts begin and end at rest") {
   Wind wind;
   wind.velocity = {0.0, 10.0, 0.0};
-  wind.gust = WindGust{.amplitude = 4.0, .start = 2.0, .duration = 8.0};
+  wind.gusts = {WindGust{.amplitude = 4.0, .start = 2.0, .duration = 8.0}};
   const auto smooth = make_wind(wind);
   check_near(smooth->velocity({0, 0, 0}, 1.9), {0.0, 10.0, 0.0});
   check_near(smooth->velocity({0, 0, 0}, 4.0), {0.0, 12.0, 0.0});
@@ -92,7 +92,7 @@ TEST_CASE("gusts begin and end at rest") {
   check_near(smooth->velocity({0, 0, 0}, 10.0), {0.0, 10.0, 0.0});
   check_near(smooth->mean({0, 0, 0}), {0.0, 10.0, 0.0});
   // The dip of IEC's gust at a quarter, its peak in the middle.
-  wind.gust->shape = GustShape::operating;
+  wind.gusts[0].shape = GustShape::operating;
   const auto operating = make_wind(wind);
   check_near(operating->velocity({0, 0, 0}, 4.0),
              {0.0, 10.0 - 0.37 * 4.0 * std::sin(0.75 * std::numbers::pi), 0.0});
@@ -104,6 +104,57 @@ TEST_CASE("gusts begin and end at rest") {
     sum += operating->velocity({0, 0, 0}, 2.0 + 8.0 * (k + 0.5) / kParts).y() - 10.0;
   CHECK(sum / kParts ==
         doctest::Approx(0.37 * 4.0 * 8.0 / (15.0 * std::numbers::pi)).epsilon(1e-5));
+}
+
+TEST_CASE("linear shear grows upwards and across, and a gust of it grows and goes") {
+  Wind wind = make_sheared();
+  const auto speed_at = [](double height) { return std::pow(height / 90.0, 0.2); };
+  wind.vertical_shear = 0.002;
+  wind.horizontal_shear = -0.003;
+  const auto field = make_wind(wind);
+  for (const double height : {1.0, 90.0, 150.0})
+    for (const double across : {-60.0, 0.0, 20.0}) {
+      const double share = speed_at(height) + 0.002 * (height - 90.0) - 0.003 * across;
+      check_near(field->velocity({7.0, across, height}, 1.0), {8.0 * share, 0.0, 0.0});
+      check_near(field->mean({7.0, across, height}), {8.0 * share, 0.0, 0.0});
+    }
+  check_near(field->velocity({0.0, 0.0, -5.0}, 0.0), {-8.0 * 0.18, 0.0, 0.0});  // as on the ground
+  wind.gusts = {{.amplitude = 0.01, .duration = 4.0, .of = GustOf::vertical_shear},
+                {.amplitude = 0.02, .duration = 4.0, .of = GustOf::horizontal_shear}};
+  const double share = speed_at(100.0) + 0.012 * 10.0 + 0.017 * 20.0;
+  check_near(make_wind(wind)->velocity({0.0, 20.0, 100.0}, 2.0), {8.0 * share, 0.0, 0.0});
+  check_near(make_wind(wind)->velocity({0.0, 20.0, 100.0}, 4.0),
+             field->velocity({0.0, 20.0, 100.0}, 4.0));
+  check_near(make_wind(wind)->mean({0.0, 20.0, 100.0}), field->mean({0.0, 20.0, 100.0}));
+  // Of a course of the speed it is a share, too.
+  wind.gusts.clear();
+  wind.speed = Curve({0.0, 10.0}, {4.0, 8.0});
+  check_near(make_wind(wind)->velocity({0.0, 20.0, 100.0}, 0.0),
+             0.5 * field->velocity({0.0, 20.0, 100.0}, 0.0));
+}
+
+TEST_CASE(
+    "a rise stays, changes add up, and a change of direction turns all of the wind about up") {
+  Wind wind = make_sheared();
+  wind.gusts = {{.amplitude = 3.0, .start = 1.0, .duration = 4.0, .shape = GustShape::rise},
+                {.amplitude = 2.0, .start = 1.0, .duration = 4.0, .shape = GustShape::rise}};
+  const auto risen = make_wind(wind);
+  check_near(risen->velocity({0, 0, 90}, 1.0), {8.0, 0.0, 0.0});
+  check_near(risen->velocity({0, 0, 90}, 3.0), {10.5, 0.0, 0.0});
+  check_near(risen->velocity({0, 0, 90}, 99.0), {13.0, 0.0, 0.0});
+  wind.gusts.push_back({.amplitude = std::numbers::pi / 2.0,
+                        .duration = 1.0,
+                        .shape = GustShape::rise,
+                        .of = GustOf::direction});
+  wind.gusts[0].amplitude = wind.gusts[1].amplitude = 0.0;
+  wind.turbulence =
+      WindTurbulence{.intensity = 0.1, .width = 20.0, .points = {3, 3}, .duration = 10.0};
+  Wind straight = wind;
+  straight.gusts.clear();
+  for (const double t : {2.0, 5.5}) {
+    const Vector3d before = make_wind(straight)->velocity({1, 2, 95}, t);
+    check_near(make_wind(wind)->velocity({1, 2, 95}, t), {-before.y(), before.x(), before.z()});
+  }
 }
 
 TEST_CASE("a table turns the wind, lifts it and changes its shear") {

@@ -89,11 +89,26 @@ TEST_CASE("mean winds that cannot be are refused") {
       {"by = \"me\"", "2:6: wind.by: is \"me\", expected \"program\""},
       {"by = \"program\"\nvelocity = [8, 0, 0]",
        "2:6: wind.by: is \"program\", which gives all of the wind, expected no other key"},
-      {"gust = { start = 3 }", "2:8: wind.gust.amplitude: is missing, expected a number (m/s)"},
+      {"gust = { start = 3 }", "2:8: wind.gust.amplitude: is missing, expected a number"},
       {"gust = { amplitude = 3, duration = 0 }",
        "2:36: wind.gust.duration: is 0, expected a number greater than 0 (s)"},
       {"gust = { amplitude = 3, shape = \"round\" }",
-       "2:33: wind.gust.shape: is \"round\", expected \"one_minus_cosine\" or \"operating\""},
+       "2:33: wind.gust.shape: is \"round\", expected \"one_minus_cosine\", \"operating\" or "
+       "\"rise\""},
+      {"velocity = [8, 0, 0]\nvertical_shear = 0.01",
+       "1:1: wind.reference_height: is missing, expected the height at which velocity is (m), for "
+       "vertical_shear"},
+      {"velocity = [8, 0, 0]\ngust = { amplitude = 0.01, of = \"vertical_shear\" }",
+       "1:1: wind.reference_height: is missing, expected the height at which velocity is (m), for "
+       "a gust of vertical_shear"},
+      {"velocity = [0, 0, 8]\nhorizontal_shear = 0.01",
+       "2:12: wind.velocity: is along up, expected a wind across it, which has a profile of "
+       "heights"},
+      {"gust = [{ amplitude = 3 }, { amplitude = 3, duration = 0 }]",
+       "2:56: wind.gust.2.duration: is 0, expected a number greater than 0 (s)"},
+      {"gust = { amplitude = 3, of = \"height\" }",
+       "2:30: wind.gust.of: is \"height\", expected \"speed\", \"direction\", "
+       "\"vertical_shear\" or \"horizontal_shear\""},
       {"file = \"none.bts\"",
        "2:8: wind.file: is \"none.bts\", but there is no file ./none.bts, expected a file of "
        "TurbSim (.bts) or a table of wind"},

@@ -54,10 +54,26 @@ TEST_CASE("every key of a wind is read and written as the same wind") {
   CHECK(wind.turbulence->points == std::array<int, 2>{5, 4});
   CHECK(wind.turbulence->coherence == Coherence::all);
   CHECK(wind.turbulence->deviation_ratio == std::array<double, 3>{1.0, 0.7, 0.45});
-  CHECK(wind.gust->shape == GustShape::operating);
+  CHECK(wind.gusts.at(0).shape == GustShape::operating);
   CHECK(reread(wind) == wind);
   // The turbulence is made when it is asked for, once.
   CHECK(make_wind(wind) == make_wind(wind));
+}
+
+TEST_CASE("linear shear and several gusts are read and written") {
+  const Wind wind = read_wind_text(
+      "[wind]\nvelocity = [8, 0, 0]\nvertical_shear = 0.01\nhorizontal_shear = -0.02\n"
+      "reference_height = 90\n"
+      "gust = [{ amplitude = 0.5, of = \"direction\", shape = \"rise\" },\n"
+      "        { amplitude = 0.01, of = \"vertical_shear\", start = 4 },\n"
+      "        { amplitude = 0.02, of = \"horizontal_shear\", duration = 12 }]\n");
+  CHECK(wind.vertical_shear == 0.01);
+  CHECK(wind.horizontal_shear == -0.02);
+  CHECK(wind.gusts == std::vector<WindGust>{
+                          {.amplitude = 0.5, .shape = GustShape::rise, .of = GustOf::direction},
+                          {.amplitude = 0.01, .start = 4.0, .of = GustOf::vertical_shear},
+                          {.amplitude = 0.02, .duration = 12.0, .of = GustOf::horizontal_shear}});
+  CHECK(reread(wind) == wind);
 }
 
 TEST_CASE("a wind's course over time is read and written") {

@@ -15,7 +15,7 @@ namespace spoke::test {
 inline Wind read_wind_text(const std::string& text, const std::string& folder = ".") {
   const TomlDocument document(text, "f.toml");
   const TomlSection root(document, {"wind"});
-  return spatial::read_wind(root.section("wind", spatial::wind_keys()), folder);
+  return spatial::read_wind(root.section("wind", spatial::wind_keys()), folder, {});
 }
 
 }  // namespace spoke::test

@@ -100,6 +100,24 @@ TEST_CASE("check prints the drag of bodies") {
                        "at [0, 0, 1.75] m\n") != std::string::npos);
 }
 
+TEST_CASE("check prints what a condition of IEC 61400-1 stands for, at the model's hub") {
+  const WorkFolder folder;
+  const auto check = [&folder](const std::string& iec) {
+    const Ended ended = run_spoke({"check", shipped("nrel_5mw_in_wind"), "--set", "initial={}",
+                                   "--set", "wind={iec=" + iec + "}"},
+                                  folder);
+    CHECK(ended.err.empty());
+    return ended.status == 0 ? ended.out : std::string();
+  };
+  const std::string gust = check("{class=\"IB\", case=\"EWS\", speed=14, start=60}");
+  CHECK(gust.find("  wind            14 m/s along [1, 0, 0] at 90 m") != std::string::npos);
+  CHECK(gust.find(", shear exponent 0.2\n                  gust of vertical_shear, ") !=
+        std::string::npos);
+  CHECK(gust.find(" 1/m from 60 s on for 12 s, one_minus_cosine\n") != std::string::npos);
+  const std::string turbulent = check("{class=\"IB\", case=\"NTM\", speed=14}");
+  CHECK(turbulent.find("turbulence of 16.1 %, 2.254 m/s, kaimal, seed 1\n") != std::string::npos);
+}
+
 TEST_CASE("check prints air, wind, stations and aerofoils") {
   const WorkFolder folder;
   const Ended ended =
@@ -114,7 +132,7 @@ TEST_CASE("check prints air, wind, stations and aerofoils") {
         "dynamic\n",
         "  wind            12 m/s along [1, 0, 0] at 90 m, shear exponent 0.2\n",
         "                  gust of 3 m/s from 5 s on for 10.5 s, one_minus_cosine\n",
-        "                  turbulence of 14 %, kaimal, seed 1\n",
+        "                  turbulence of 14 %, 1.68 m/s, kaimal, seed 1\n",
         "                  15 x 17 points over 150 x 170 m, every 0.1 s for 20 s, repeats\n",
         "  air, blade 1    19 stations from 0 to 61.5 m, chord 1.419 to 4.652 m, leading edge "
         "towards +y\n                  cylinder1 at 0 to 4.1 m\n                  cylinder2 at "
