@@ -44,6 +44,7 @@ enum class SensorQuantity {
   strain_energy,
   /// Force of a coupling of joints: times the ratio of a coordinate it is the effort on that.
   coupling_force,
+  wind,  ///< velocity of the air at a place where no rotor disturbs it [m/s]
 };
 
 /// The frame in which a motion is observed, and in which vectors are resolved.

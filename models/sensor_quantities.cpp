@@ -11,7 +11,9 @@ SensorFrame frame_of(const Sensor& sensor) {
 }
 
 bool is_of_blade(SensorQuantity quantity) { return row_of(quantity).at != MeasuredAt::system; }
-bool is_motion(SensorQuantity quantity) { return row_of(quantity).at == MeasuredAt::place; }
+bool is_motion(SensorQuantity quantity) {
+  return row_of(quantity).at == MeasuredAt::place && quantity != SensorQuantity::wind;
+}
 bool is_of_loop(SensorQuantity quantity) { return row_of(quantity).at == MeasuredAt::loop; }
 bool is_of_solid(SensorQuantity quantity) {
   const MeasuredAt at = row_of(quantity).at;

@@ -82,6 +82,7 @@ inline constexpr Six kMomentum6{{{"x", "kg m/s"},
                                  {"angular.y", "kg m^2/s"},
                                  {"angular.z", "kg m^2/s"}}};
 
+inline constexpr Components kWind{{{"x", "m/s"}, {"y", "m/s"}, {"z", "m/s"}}};
 inline constexpr std::array<SensorComponent, 4> kAirFlow{{{"angle_of_attack", "rad"},
                                                           {"relative_speed", "m/s"},
                                                           {"axial_induction", ""},
@@ -142,7 +143,8 @@ inline constexpr std::array kRows{
                 MeasuredAt::coupling,
                 kInertial,
                 {},
-                kCouplingForce}};
+                kCouplingForce},
+    QuantityRow{Quantity::wind, "wind", MeasuredAt::place, kInertial, {}, kWind}};
 
 static_assert(std::is_sorted(kRows.begin(), kRows.end(),
                              [](const QuantityRow& a, const QuantityRow& b) {

@@ -201,6 +201,8 @@ Fault find_fault(const Sensor& sensor, const Model& model, const std::vector<Tre
   if (!sensor.name.empty() && !is_name(sensor.name))
     return {"name", "is \"" + sensor.name + "\", expected " + kNameExpected};
   if (const std::string fault = find_frame_fault(sensor); !fault.empty()) return {"frame", fault};
+  if (sensor.quantity == SensorQuantity::wind && !model.air)
+    return {"quantity", "is \"wind\", but there is no air, expected [air]"};
   if (Fault fault = sensor.subsystem.empty() ? find_blade_fault(sensor, model)
                                              : find_body_fault(sensor, model))
     return fault;

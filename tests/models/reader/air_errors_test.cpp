@@ -208,7 +208,7 @@ TEST_CASE("air that cannot be is refused") {
            "\"velocity\", \"acceleration\", \"section_force\", \"joint_reaction\", "
            "\"hub_reaction\", \"momentum\", \"blade_momentum\", \"kinetic_energy\", "
            "\"loop_reaction\", \"loop_opening\", \"interface_force\", \"von_mises\", \"air_flow\", "
-           "\"air_load\", \"strain_energy\" or \"coupling_force\""},
+           "\"air_load\", \"strain_energy\", \"coupling_force\" or \"wind\""},
           {"position = 4.0", "position = 9.0",
            "f.toml:54:12: sensor.1.position: is 9, expected a number from 0 to 8 (m, from root to "
            "tip)"},

@@ -136,7 +136,7 @@ TEST_CASE("sensors of closed loops that cannot be are refused") {
                {kIntegration, with(arm + "loop = \"rod\"\nposition = 1"),
                 "f.toml:46:12: sensor.1.position: does not belong to quantity \"loop_reaction\", "
                 "expected only with quantity \"displacement\", \"velocity\", \"acceleration\", "
-                "\"section_force\", \"air_flow\" or \"air_load\""},
+                "\"section_force\", \"air_flow\", \"air_load\" or \"wind\""},
                {kIntegration, with(arm + "loop = \"rod\"\nframe = \"section\""),
                 "f.toml:46:9: sensor.1.frame: is \"section\", expected \"loop\", \"blade\", "
                 "\"hub\" or \"inertial\""},

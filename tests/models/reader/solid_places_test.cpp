@@ -125,7 +125,8 @@ TEST_CASE("sensors on solids are checked") {
            "f.toml:41:1: sensor.1.interface: is missing, expected the name of an interface"},
           {"quantity = \"displacement\"", "quantity = \"interface_force\"\nnode = 3",
            "f.toml:43:8: sensor.1.node: does not belong to quantity \"interface_force\", expected "
-           "only with quantity \"displacement\", \"velocity\", \"acceleration\" or \"von_mises\""},
+           "only with quantity \"displacement\", \"velocity\", \"acceleration\", \"von_mises\" or "
+           "\"wind\""},
           {"quantity = \"displacement\"", "quantity = \"von_mises\"\nframe = \"hub\"",
            "f.toml:43:9: sensor.1.frame: does not belong to quantity \"von_mises\", expected only "
            "with quantity \"displacement\", \"velocity\", \"acceleration\", \"section_force\", "
@@ -134,11 +135,11 @@ TEST_CASE("sensors on solids are checked") {
           {"quantity = \"displacement\"", "quantity = \"von_mises\"\nposition = 0.1",
            "f.toml:43:12: sensor.1.position: does not belong to quantity \"von_mises\", expected "
            "only with quantity \"displacement\", \"velocity\", \"acceleration\", "
-           "\"section_force\", \"air_flow\" or \"air_load\""},
+           "\"section_force\", \"air_flow\", \"air_load\" or \"wind\""},
           {"quantity = \"displacement\"", "quantity = \"joint_reaction\"\ninterface = \"tip\"",
            "f.toml:43:13: sensor.1.interface: does not belong to quantity \"joint_reaction\", "
            "expected only with quantity \"displacement\", \"velocity\", \"acceleration\", "
-           "\"interface_force\" or \"von_mises\""},
+           "\"interface_force\", \"von_mises\" or \"wind\""},
           {"quantity = \"displacement\"\nsubsystem = \"arm\"\nbody = \"bracket\"",
            "quantity = \"von_mises\"\nsubsystem = \"arm\"\nbody = \"rotor\"",
            "f.toml:44:8: sensor.1.body: is no solid, which quantity \"von_mises\" belongs to"},
@@ -160,7 +161,8 @@ TEST_CASE("sensors on solids are checked") {
            "\"velocity\", \"acceleration\", \"section_force\", \"joint_reaction\", "
            "\"hub_reaction\", \"momentum\", \"blade_momentum\", \"kinetic_energy\", "
            "\"loop_reaction\", \"loop_opening\", \"interface_force\", "
-           "\"von_mises\", \"air_flow\", \"air_load\", \"strain_energy\" or \"coupling_force\""},
+           "\"von_mises\", \"air_flow\", \"air_load\", \"strain_energy\", \"coupling_force\" or "
+           "\"wind\""},
       });
 }
 

@@ -46,7 +46,10 @@ TEST_CASE("sensors on blades in space that cannot be are refused") {
            "\"acceleration\", \"section_force\", \"joint_reaction\", \"hub_reaction\", "
            "\"momentum\", \"blade_momentum\", \"kinetic_energy\", \"loop_reaction\", "
            "\"loop_opening\", \"interface_force\", "
-           "\"von_mises\", \"air_flow\", \"air_load\", \"strain_energy\" or \"coupling_force\""},
+           "\"von_mises\", \"air_flow\", \"air_load\", \"strain_energy\", \"coupling_force\" or "
+           "\"wind\""},
+          {at, with("quantity = \"wind\""),
+           "f.toml:34:12: sensor.1.quantity: is \"wind\", but there is no air, expected [air]"},
           {at, with("quantity = \"section_force\""),
            "f.toml:33:1: sensor.1.position: is missing, expected a distance from the root (m)"},
           {at, with("quantity = \"velocity\"\nposition = 8.5"),

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <optional>
 
+#include "engine/bodies/act/wind_at.h"
 #include "engine/bodies/kernels/loops/loop_readings.h"
 #include "engine/bodies/kernels/marker_motion.h"
 #include "engine/bodies/kernels/space/interface_force.h"
@@ -106,6 +107,15 @@ space::Twist calc_of_loop(const System<Space>& system, std::size_t i, const Step
   return from_hub(asked.frame, system.subsystems[i], *data.subsystems[i].hub) * found.in_hub;
 }
 
+/// Returns the wind at a place.
+space::Twist calc_wind(const System<Space>& system, std::size_t i, const StepData<Space>& data,
+                       double t, const Reading<Space>& asked) {
+  const SubsystemData<Space>& own = data.subsystems[i];
+  const SpatialMotion m = calc_shown_motion(system.subsystems[i], own, space::Twist::Zero(), asked);
+  const space::Position place = own.hub->p + own.hub->R * m.p;
+  return space::make_twist(space::Position(find_wind(*system.wind, place, t)), Angular::Zero());
+}
+
 /// Returns the value of a sensor that an actor shows.
 space::Twist read_actor(std::size_t i, const StepData<Space>& data, const Reading<Space>& asked) {
   for (const auto& actor : data.actors)
@@ -137,6 +147,8 @@ space::Twist calc_reading(const System<Space>& system, std::size_t i, const Step
     case SensorQuantity::air_flow:
     case SensorQuantity::air_load:
       return read_actor(i, data, asked);
+    case SensorQuantity::wind:
+      return calc_wind(system, i, data, t, asked);
     case SensorQuantity::momentum:
     case SensorQuantity::blade_momentum:
       return calc_momentum(own);
