@@ -14,4 +14,13 @@ std::string_view name_of(Inflow inflow) {
 
 std::string_view name_of(Stall stall) { return stall == Stall::dynamic ? "dynamic" : "static"; }
 
+std::string_view name_of(TowerPotential potential) {
+  if (potential == TowerPotential::none) return "none";
+  return potential == TowerPotential::cylinder ? "cylinder" : "bak";
+}
+
+std::string_view name_of(TowerShadow shadow) {
+  return shadow == TowerShadow::none ? "none" : "powles";
+}
+
 }  // namespace spoke::spatial

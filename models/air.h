@@ -48,6 +48,18 @@ struct BladeAerodynamics {
   friend bool operator==(const BladeAerodynamics&, const BladeAerodynamics&) = default;
 };
 
+/// How the flow around a tower's section is found, by wind that comes along x.
+enum class TowerPotential {
+  none,
+  cylinder,  ///< potential flow around a cylinder
+  bak        ///< with Bak's correction (2001): shifted, and with a source by the drag
+};
+/// What a tower leaves behind.
+enum class TowerShadow {
+  none,
+  powles  ///< a deficit of Powles (1983), by the drag
+};
+
 /// Drag of a body of a subsystem or a support in the wind, rho its density and v its velocity
 /// against the body.
 ///
@@ -59,6 +71,9 @@ struct BodyDrag {
   std::vector<double> coefficient;  ///< likewise, c
   Eigen::Vector3d area = Eigen::Vector3d::Zero();   ///< of a rigid body: coefficient by area [m^2]
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< of a rigid body, in its frame [m]
+  // What blades meet of a beam of a support, by its diameter and its coefficient.
+  TowerPotential potential = TowerPotential::none;
+  TowerShadow shadow = TowerShadow::none;
 };
 
 /// How the rotor's own induced velocity is found.
@@ -81,6 +96,10 @@ enum class Stall {
 SPOKE_EXPORT std::string_view name_of(Induction induction);
 SPOKE_EXPORT std::string_view name_of(Inflow inflow);
 SPOKE_EXPORT std::string_view name_of(Stall stall);
+/// Returns "none", "cylinder" or "bak".
+SPOKE_EXPORT std::string_view name_of(TowerPotential potential);
+/// Returns "none" or "powles".
+SPOKE_EXPORT std::string_view name_of(TowerShadow shadow);
 
 /// Air around a rotor.
 struct Air {

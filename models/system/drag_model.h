@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "models/air.h"
 #include "models/space/space.h"
 
 namespace spoke {
@@ -24,9 +25,24 @@ struct DragModel {
     space::Position area;   ///< A [m^2]
   };
 
+  /// A beam that disturbs the wind of blades.
+  struct Tower {
+    /// A point of its axis, which is straight between two of them.
+    struct Point {
+      int body = 0;
+      double station = 0.0;      ///< on the body [m]
+      double diameter = 0.0;     ///< [m]
+      double coefficient = 0.0;  ///< of drag
+    };
+    spatial::TowerPotential potential = spatial::TowerPotential::none;
+    spatial::TowerShadow shadow = spatial::TowerShadow::none;
+    std::vector<Point> points;  ///< from root to tip, two or more
+  };
+
   double density = 0.0;  ///< rho [kg/m^3]
   std::vector<Stretch> stretches;
   std::vector<Block> blocks;
+  std::vector<Tower> towers;
 };
 
 }  // namespace spoke

@@ -19,6 +19,7 @@
 #include "models/air/wind_kept.h"
 #include "models/air/wind_keys.h"
 #include "models/count_text.h"
+#include "models/reader/keys/air_keys.h"
 #include "models/tree/hub_place.h"
 #include "program/cli/report.h"
 
@@ -179,8 +180,9 @@ std::string describe_ends(const std::vector<double>& values) {
 std::string describe(const spatial::BodyDrag& drag) {
   if (drag.station.empty())
     return fmt::format("areas {} m^2 at {} m", vector_text(drag.area), vector_text(drag.point));
-  return fmt::format("{} m wide at {} m, coefficient {}", describe_ends(drag.diameter),
-                     describe_ends(drag.station), describe_ends(drag.coefficient));
+  return fmt::format("{} m wide at {} m, coefficient {}{}", describe_ends(drag.diameter),
+                     describe_ends(drag.station), describe_ends(drag.coefficient),
+                     keys::describe_others(keys::kBodyDragRows, &drag));
 }
 
 /// Returns a line for each body that has drag.

@@ -940,7 +940,8 @@ def blade_aerodynamics(*, station, chord, airfoil, twist=None, center=None, lead
     return _given(locals())
 
 
-def body_drag(*, station=None, diameter=None, coefficient=None, area=None, point=None):
+def body_drag(*, station=None, diameter=None, coefficient=None, area=None, point=None,
+              potential=None, shadow=None):
     """Drag of a beam or a rigid body in the wind.
 
     station: of a beam: distances from its root, ascending [m]
@@ -949,6 +950,9 @@ def body_drag(*, station=None, diameter=None, coefficient=None, area=None, point
     area: of a rigid body: coefficient of drag times area, for flow along each axis of its frame
         [m^2]
     point: of a rigid body: where drag acts, in its frame [m]
+    potential: of a beam of a support: the flow around it that blades meet, "none", "cylinder" or
+        "bak"
+    shadow: likewise, the deficit behind it, "none" or "powles"
     """
     return _given(locals())
 

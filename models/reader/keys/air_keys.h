@@ -76,7 +76,15 @@ inline constexpr std::array kBodyDragRows{
         "of a rigid body: coefficient of drag times area, for flow along each axis of its frame")
         .from("required for a rigid body"),
     vector<&spatial::BodyDrag::point>("point", kLength,
-                                      "of a rigid body: where drag acts, in its frame")};
+                                      "of a rigid body: where drag acts, in its frame"),
+    choice<&spatial::BodyDrag::potential, spatial::TowerPotential::none,
+           spatial::TowerPotential::cylinder, spatial::TowerPotential::bak>(
+        "potential",
+        "of a beam of a support: the flow around it that blades meet, `\"none\"`, `\"cylinder\"` "
+        "or "
+        "`\"bak\"`"),
+    choice<&spatial::BodyDrag::shadow, spatial::TowerShadow::none, spatial::TowerShadow::powles>(
+        "shadow", "likewise, the deficit behind it, `\"none\"` or `\"powles\"`")};
 
 inline constexpr std::array kAirfoilRows{
     by_hand("name", kText, "unlike that of any other")

@@ -33,6 +33,14 @@ Fault find_order_fault(const char* key, const std::vector<double>& values) {
           "is " + describe(at[1]) + " after " + describe(at[0]) + ", expected a greater number"};
 }
 
+/// Finds what only beams of a support do to the wind of blades.
+Fault find_tower_fault(const BodyDrag& drag) {
+  constexpr const char* kOfSupports = "would be ignored, expected only of a beam of a support";
+  if (drag.potential != TowerPotential::none) return {"potential", kOfSupports};
+  if (drag.shadow != TowerShadow::none) return {"shadow", kOfSupports};
+  return {};
+}
+
 }  // namespace
 
 Fault find_fault(const Airfoil& airfoil) {
@@ -102,8 +110,14 @@ Fault find_fault(const Air& air, const Model& model) {
         first.add(
             {key + ".airfoil." + std::to_string(k + 1), describe_unknown(own.airfoil[k], names)});
   }
-  for (const Subsystem& subsystem : model.subsystems)
-    for (const Body& body : subsystem.bodies) acts |= body.drag.has_value();
+  for (std::size_t i = 0; i < model.subsystems.size(); ++i)
+    for (std::size_t k = 0; k < model.subsystems[i].bodies.size(); ++k)
+      if (const auto& drag = model.subsystems[i].bodies[k].drag) {
+        acts = true;
+        if (model.subsystems[i].name != kSupportName)
+          first.add(find_tower_fault(*drag).within("subsystem." + std::to_string(i + 1) + ".body." +
+                                                   std::to_string(k + 1) + ".drag"));
+      }
   if (!acts)
     first.add({"air",
                "acts on no blade, expected [blade.aerodynamics] of one or more, or drag of a "

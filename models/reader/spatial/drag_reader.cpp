@@ -11,12 +11,14 @@
 #include "models/reader/keys/air_keys.h"
 #include "models/reader/row_reader.h"
 #include "models/reader/spatial/air_reader.h"
+#include "models/reader/spatial/joint_json.h"
 #include "models/reader/spatial/vector_reader.h"
 
 namespace spoke::spatial {
 namespace {
 
-constexpr std::string_view kOfBeams[] = {"station", "diameter", "coefficient"};
+constexpr std::string_view kOfBeams[] = {"station", "diameter", "coefficient", "potential",
+                                         "shadow"};
 constexpr std::string_view kOfRigidBodies[] = {"area", "point"};
 
 void visit_drag_stations(auto& drag, const auto& visit) {
@@ -60,6 +62,10 @@ Fault find_rigid_fault(const BodyDrag& drag) {
   first("point", drag.point, kLength, Presence::optional);
   if (!drag.station.empty() || !drag.diameter.empty() || !drag.coefficient.empty())
     first.add({"diameter", "would be ignored, expected only of a beam"});
+  if (drag.potential != TowerPotential::none)
+    first.add({"potential", "would be ignored, expected only of a beam"});
+  if (drag.shadow != TowerShadow::none)
+    first.add({"shadow", "would be ignored, expected only of a beam"});
   return first.found();
 }
 
@@ -79,6 +85,8 @@ BodyDrag read_drag(const TomlSection& body, const Body& of) {
         drag, [&](std::string_view key, std::vector<double>& values, const Quantity& quantity) {
           read_stations(section, key, quantity, drag.station.size(), values);
         });
+    for (const keys::Row& row : keys::kBodyDragRows)
+      if (row.kind == keys::Row::Kind::choice) keys::read_row(section, row, &drag);
   } else {
     refuse(section, kOfBeams, "beam");
     if (!section.has("area")) section.fail("area", "is missing, expected an array of 3 numbers");
@@ -101,12 +109,15 @@ Fault find_drag_fault(const Body& body) {
 Json drag_to_json(const BodyDrag& drag) {
   Json json;
   if (drag.station.empty()) {
-    keys::write(keys::kBodyDragRows, &drag, json);
+    json.set("area", to_json(drag.area));
+    json.set("point", to_json(drag.point));
     return json;
   }
   json.set("station", drag.station);
   visit_drag_stations(drag, [&](std::string_view key, const std::vector<double>& values,
                                 const Quantity&) { json.set(std::string(key), values); });
+  if (drag.potential != TowerPotential::none || drag.shadow != TowerShadow::none)
+    keys::write_words(keys::kBodyDragRows, &drag, json);
   return json;
 }
 

@@ -68,6 +68,7 @@ const std::map<std::string_view, std::string_view> kMoving{
     {"nrel_5mw_in_wind", "gravity and wind turn against the blades"},
     {"nrel_5mw_rotor", "gravity turns against the blades"},
     {"nrel_5mw_turbine", "gravity turns against the blades"},
+    {"nrel_5mw_turbine, past its tower", "gravity turns against the blades"},
     {"nrel_5mw_turbine, with a drive train", "gravity turns against the blades"},
     {"quadcopter, a rotor on a rotor", "a rotor on one that turns has no steady state"},
     {"satellite_booms", "a torque slews it"},

@@ -72,6 +72,24 @@ void put_in_wind(Scenario& scenario) {
     }
 }
 
+/// Puts a turbine into wind, whose blades pass the tower.
+void put_past_tower(Scenario& scenario) {
+  const Scenario in_wind = read_shipped("nrel_5mw_in_wind");
+  spatial::Model& model = *scenario.space;
+  model.air = in_wind.space->air;
+  model.air->wind = Wind{};
+  model.air->wind.velocity = {9.0, 1.0, 0.0};
+  for (std::size_t i = 0; i < model.blades.size(); ++i)
+    model.blades[i].aerodynamics = in_wind.space->blades[i].aerodynamics;
+  for (spatial::Body& body : model.subsystems.back().bodies)
+    if (const auto* beam = std::get_if<spatial::Beam>(&body.shape)) {
+      body.drag = spatial::BodyDrag{
+          .station = {0.0, beam->length}, .diameter = {6.0, 3.87}, .coefficient = {0.5, 0.5}};
+      body.drag->potential = spatial::TowerPotential::bak;
+      body.drag->shadow = spatial::TowerShadow::powles;
+    }
+}
+
 /// Ties each blade to the next one by a damper and a spring, and couples their hinges.
 void tie_ring(Scenario& scenario) {
   std::vector<spatial::Blade>& blades = scenario.space->blades;
@@ -173,6 +191,7 @@ std::vector<ZooModel> list_zoo() {
          s.space->hub.inertia = 115926.0 * spatial::Tensor::Identity();
          s.space->support->axle.train = spatial::DriveTrain{867.637e6, 6.215e6, 97.0, 534.116};
        }},
+      {"nrel_5mw_turbine, past its tower", "nrel_5mw_turbine", put_past_tower},
       {"quadcopter, a rotor on a rotor", "quadcopter", put_rotor_on_rotor},
       {"quadcopter, of three blades", "quadcopter", take_three_blades},
       {"solid_blade_rotor, nodal", "solid_blade_rotor", make_nodal},

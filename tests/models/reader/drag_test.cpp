@@ -94,3 +94,27 @@ TEST_CASE("drag of bodies: what is wrong is refused by its key") {
                  "drag.diameter: would be ignored, expected only of a beam"));
   CHECK(contains(refusal(kBoom, "{ areas = [1, 1, 1] }"), "areas"));
 }
+
+TEST_CASE("drag of bodies: what towers do to the wind of blades is read, written and refused") {
+  const std::string json =
+      read_scenario(std::string(SPOKE_MODELS_DIR) + "/nrel_5mw_turbine.toml",
+                    {"air={}",
+                     "support.body.1.drag={diameter=[6, 4], potential=\"bak\", "
+                     "shadow=\"powles\"}"})
+          .to_json();
+  CHECK(contains(json, "\"bak\""));
+  CHECK(contains(json, "\"powles\""));
+  const Scenario again = parse_scenario(document_of(json), "f.toml");
+  CHECK(again.to_json() == json);
+  const spatial::BodyDrag& drag = *again.space->subsystems.back().bodies.front().drag;
+  CHECK(drag.potential == spatial::TowerPotential::bak);
+  CHECK(drag.shadow == spatial::TowerShadow::powles);
+  CHECK(contains(refusal("{ diameter = 1, potential = \"cylinder\" }", kBall),
+                 "drag.potential: would be ignored, expected only of a beam of a support"));
+  CHECK(contains(refusal("{ diameter = 1, shadow = \"powles\" }", kBall),
+                 "drag.shadow: would be ignored, expected only of a beam of a support"));
+  CHECK(contains(refusal(kBoom, "{ area = [1, 1, 1], potential = \"bak\" }"),
+                 "drag.potential: would be ignored, expected only of a beam"));
+  CHECK(contains(refusal("{ diameter = 1, potential = \"stokes\" }", kBall),
+                 "drag.potential: is \"stokes\", expected \"none\", \"cylinder\" or \"bak\""));
+}

@@ -74,6 +74,29 @@ std::unique_ptr<AirData> place_on(const BladeAirModel& model, std::size_t i,
   return placed;
 }
 
+TowerBeside place_tower(const DragModel::Tower& model, std::size_t support,
+                        const SubsystemData<Space>& data) {
+  TowerBeside made;
+  made.model = &model;
+  for (const DragModel::Tower::Point& point : model.points) {
+    made.markers.push_back(place_station({point.body, point.station}, support, data));
+    made.axis.push_back({.diameter = point.diameter, .coefficient = point.coefficient});
+  }
+  made.motions.resize(model.points.size());
+  made.sections.resize(model.points.size());
+  return made;
+}
+
+/// Returns all towers of a system.
+std::vector<TowerBeside> place_towers(const System<Space>& system, const StepData<Space>& data) {
+  std::vector<TowerBeside> towers;
+  for (std::size_t i = 0; i < system.subsystems.size(); ++i)
+    if (const DragModel* drag = system.subsystems[i].drag.get())
+      for (const DragModel::Tower& tower : drag->towers)
+        towers.push_back(place_tower(tower, i, data.subsystems[i]));
+  return towers;
+}
+
 }  // namespace
 
 AirOnBlades::AirOnBlades(const System<Space>& system, StepData<Space>& data)
@@ -83,6 +106,7 @@ AirOnBlades::AirOnBlades(const System<Space>& system, StepData<Space>& data)
     const Subsystem<Space>& subsystem = system.subsystems[i];
     if (!subsystem.air) continue;
     blades_[i] = place_on(*subsystem.air, i, data.subsystems[i]);
+    blades_[i]->towers = place_towers(system, data);
     if (std::find(rotors_.begin(), rotors_.end(), subsystem.rotor) == rotors_.end())
       rotors_.push_back(subsystem.rotor);
   }
@@ -98,10 +122,14 @@ void AirOnBlades::add_nodes(const PassNodes& pass, PassPlace place, int i) const
   if (place != PassPlace::on_motion || !blades_[index]) return;
   const AirData& own = *blades_[index];
   const StepProgress& progress = *data_.subsystems[index].progress;
+  PartList inputs = marker_inputs(data_, {i}, own.markers), scratch;
+  for (const TowerBeside& tower : own.towers) {
+    graph::add_to(inputs, marker_inputs(data_, {tower.markers.front().subsystem}, tower.markers));
+    graph::add_to(scratch, marker_scratch(data_, tower.markers));
+  }
   pass.builder.add_node(
-      pass.label(stage(), i),
-      graph::reads(marker_inputs(data_, {i}, own.markers), own.states->kept_part),
-      graph::updates(own.states->reached_part), graph::writes(own.part),
+      pass.label(stage(), i), graph::reads(inputs, own.states->kept_part),
+      graph::updates(own.states->reached_part, scratch), graph::writes(own.part),
       unless_halted(progress, [this, &progress, index, h = pass.step]() noexcept {
         const bool is_between = progress.control.is_between_steps();
         const double begin = static_cast<double>(progress.step - (is_between ? 0 : 1)) * h;
@@ -200,6 +228,27 @@ std::optional<space::Twist> AirOnBlades::read(std::size_t i,
   return (1.0 - share) * values(k) + share * values(k + 1);
 }
 
+void AirOnBlades::disturb(AirData& own) const noexcept {
+  if (own.towers.empty()) return;
+  for (TowerBeside& tower : own.towers) {
+    const auto support = static_cast<std::size_t>(tower.markers.front().subsystem);
+    calc_load_motions(system_.subsystems[support], data_.subsystems[support], tower.markers,
+                      tower.motions, tower.sections);
+    for (std::size_t k = 0; k < tower.axis.size(); ++k) {
+      tower.axis[k].position = tower.motions[k].position;
+      tower.axis[k].velocity = tower.motions[k].velocity;
+    }
+  }
+  // Each adds to the undisturbed wind.
+  for (std::size_t k = 0; k < own.winds.size(); ++k) {
+    Eigen::Vector3d added = Eigen::Vector3d::Zero();
+    for (const TowerBeside& tower : own.towers)
+      added += air::calc_tower_flow({tower.model->potential, tower.model->shadow}, tower.axis,
+                                    own.motions[k].position, own.winds[k]);
+    own.winds[k] += added;
+  }
+}
+
 void AirOnBlades::evaluate(std::size_t i, double t, double elapsed, bool iterates) const noexcept {
   assert(blades_[i] && elapsed >= 0.0);
   AirData& own = *blades_[i];
@@ -208,6 +257,7 @@ void AirOnBlades::evaluate(std::size_t i, double t, double elapsed, bool iterate
   calc_load_motions(subsystem, data, own.markers, own.motions, own.sections);
   for (std::size_t k = 0; k < own.markers.size(); ++k)
     own.winds[k] = find_wind(*system_.wind, own.motions[k].position, t);
+  disturb(own);
   std::fill(own.forces.begin(), own.forces.end(), Wrench{});
   const air::RotorPlace rotor = place_rotor(t, *data.hub, *system_.wind);
   StatePair& states = *own.states;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/bodies/air/blade_air.h"
+#include "engine/bodies/air/tower_flow.h"
 #include "engine/bodies/table/step_data.h"
 
 namespace spoke {
@@ -16,6 +17,16 @@ struct AirSum {
   double thrust = 0.0;  ///< along the axis [N]
   double torque = 0.0;  ///< about the axis [N m]
   double wind = 0.0;    ///< wind at the hub against it, along the axis [m/s]
+};
+
+/// A tower that disturbs the wind of a blade: its markers are the points of its axis. Motions and
+/// what follows from them are the kernel's, rewritten at every evaluation, no part of the table.
+struct TowerBeside {
+  const DragModel::Tower* model;
+  std::vector<PlacedMarker<Space>> markers;
+  std::vector<MarkerMotion> motions;
+  std::vector<space::HandleMotion> sections;
+  std::vector<air::TowerPoint> axis;
 };
 
 /// Air on a blade: its markers are the stations.
@@ -32,6 +43,7 @@ struct AirData {
   std::vector<space::HandleMotion> sections;  ///< their motion against the frames of their bodies
   std::vector<Eigen::Vector3d> winds;
   std::vector<Wrench> forces;
+  std::vector<TowerBeside> towers;
 };
 
 class AirOnBlades final : public Actor<Space> {
@@ -65,6 +77,8 @@ class AirOnBlades final : public Actor<Space> {
   /// the kinematics in the table: sets its wrenches, and the states reached. iterates: an
   /// evaluation at this time precedes, whose induced velocities are kept.
   void evaluate(std::size_t i, double t, double elapsed, bool iterates) const noexcept;
+  /// Adds to the winds of a blade's stations what towers do there.
+  void disturb(AirData& own) const noexcept;
 
   const System<Space>& system_;
   StepData<Space>& data_;
