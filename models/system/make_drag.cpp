@@ -46,12 +46,15 @@ void add_part(const spatial::BodyDrag& drag, int body, const std::vector<double>
   }
 }
 
-/// Adds a part of a beam to the axis of a tower, as far as it has a diameter.
+/// Adds a part of a beam to the axis of a tower, as far as it has a diameter. `last`: the station
+/// of its last point, which the next part begins with.
 void add_axis(const spatial::BodyDrag& drag, int body, const std::vector<double>& nodes,
-              double begin, DragModel::Tower& tower) {
+              double begin, double& last, DragModel::Tower& tower) {
+  const double resolution = 1e-12 * drag.station.back();
   for (const double at : list_ends(drag, nodes)) {
     if (at < drag.station.front() || at > drag.station.back()) continue;
-    if (!tower.points.empty() && at == nodes.front()) continue;  // the end of the part before
+    if (!tower.points.empty() && at - last <= resolution) continue;
+    last = at;
     tower.points.push_back({body, at - begin, interpolate(drag.station, drag.diameter, at),
                             interpolate(drag.station, drag.coefficient, at)});
   }
@@ -72,13 +75,14 @@ std::shared_ptr<const DragModel> make_drag(const std::vector<spatial::Body>& des
   for (const spatial::Body& body : described) {
     if (!body.drag) continue;
     DragModel::Tower tower{body.drag->potential, body.drag->shadow, {}};
+    double last = 0.0;
     for (std::size_t j = 0; j < tree.bodies.size(); ++j) {
       const spatial::TreeBody& own = tree.bodies[j];
       if (own.is_hub() || own.is_generator() || !is_part_of(own, body.name)) continue;
       const int index = static_cast<int>(j);
       if (const auto* part = std::get_if<spatial::FlexibleBody>(&own.shape)) {
         add_part(*body.drag, index, part->nodes, made.bodies[j].begin, model);
-        add_axis(*body.drag, index, part->nodes, made.bodies[j].begin, tower);
+        add_axis(*body.drag, index, part->nodes, made.bodies[j].begin, last, tower);
       } else {
         model.blocks.push_back(
             {index, space::Position(body.drag->point), space::Position(body.drag->area)});
