@@ -18,6 +18,7 @@
 #include "graph/declaration_check.h"
 #include "graph/executor.h"
 #include "graph/run_trace.h"
+#include "models/air/iec_wind.h"
 #include "models/error.h"
 #include "models/hints.h"
 #include "models/scenario.h"

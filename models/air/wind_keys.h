@@ -2,7 +2,7 @@
 
 // Keys of [wind].
 
-#include "models/iec_wind.h"
+#include "models/air/iec_wind.h"
 #include "models/support/key_row.h"
 #include "models/wind.h"
 

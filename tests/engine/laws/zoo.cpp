@@ -78,7 +78,7 @@ void put_past_tower(Scenario& scenario) {
   spatial::Model& model = *scenario.space;
   model.air = in_wind.space->air;
   model.air->wind = Wind{};
-  model.air->wind.velocity = {9.0, 1.0, 0.0};
+  model.air->wind.velocity = {9.0, 0.0, 0.0};
   for (std::size_t i = 0; i < model.blades.size(); ++i)
     model.blades[i].aerodynamics = in_wind.space->blades[i].aerodynamics;
   for (spatial::Body& body : model.subsystems.back().bodies)

@@ -1,7 +1,7 @@
 // Wind conditions of IEC 61400-1 against the standard's formulas, written out for their values at
 // times and places.
 
-#include "models/iec_wind.h"
+#include "models/air/iec_wind.h"
 
 #include <doctest/doctest.h>
 

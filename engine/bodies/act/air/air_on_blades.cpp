@@ -9,10 +9,10 @@
 #include <string>
 
 #include "engine/bodies/act/marker_parts.h"
-#include "engine/bodies/act/wind_at.h"
 #include "engine/bodies/air/rotor_coefficients.h"
 #include "engine/bodies/kernels/kinematics.h"
 #include "engine/bodies/kernels/marker_motion.h"
+#include "engine/bodies/kernels/wind_at.h"
 #include "engine/bodies/table/body_kind.h"
 
 namespace spoke {

@@ -6,13 +6,13 @@
 #include <cassert>
 #include <optional>
 
-#include "engine/bodies/act/wind_at.h"
 #include "engine/bodies/kernels/loops/loop_readings.h"
 #include "engine/bodies/kernels/marker_motion.h"
 #include "engine/bodies/kernels/space/interface_force.h"
 #include "engine/bodies/kernels/space/relative_motion.h"
 #include "engine/bodies/kernels/space/section_balance.h"
 #include "engine/bodies/kernels/space/table_terms.h"
+#include "engine/bodies/kernels/wind_at.h"
 
 namespace spoke {
 namespace {

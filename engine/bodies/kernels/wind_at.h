@@ -1,6 +1,6 @@
 #pragma once
 
-// The wind as actors ask for it.
+// The wind as kernels and actors ask for it.
 
 #include <Eigen/Core>
 #include <limits>

@@ -1,6 +1,6 @@
 // Formulas of IEC 61400-1, third edition, section 6.3.
 
-#include "models/iec_wind.h"
+#include "models/air/iec_wind.h"
 
 #include <algorithm>
 #include <array>
