@@ -369,7 +369,7 @@ System<Space> make_support_alone(const spatial::Model& model,
   Subsystem<Space>& support = system.subsystems.back();
   support.drag =
       make_drag(bodies_of_tree(model, trees.size() - 1), tree, support, model.air->density);
-  if (support.drag) system.wind = make_wind(model.air->wind);
+  system.wind = make_wind(model.air->wind);
   return system;
 }
 

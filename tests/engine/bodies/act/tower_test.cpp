@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/bodies/air/tower_flow.h"
+#include "engine/linearize.h"
 #include "engine/simulation.h"
 #include "models/scenario.h"
 
@@ -134,5 +135,19 @@ TEST_CASE("sensors of the wind have that of their places as they move") {
     CHECK(at_blade[k] ==
           doctest::Approx(kWindSpeed * (std::pow(height / 80.0, 0.2) + 0.002 * across) + gust)
               .epsilon(1e-9));
+  }
+}
+
+TEST_CASE("linear models leave sensors of the wind out, on blades and on a support without drag") {
+  std::string text = make_turbine(-1.0, "");
+  const std::string two = "count = 2";
+  text.replace(text.find(two), two.size(), "count = 3");
+  text +=
+      "[[sensor]]\nname = \"at\"\nquantity = \"wind\"\nsubsystem = \"support\"\nbody = \"hub\"\n";
+  const std::vector<std::string> left =
+      solve_linear_system(parse_scenario(text, "turbine.toml")).left_out;
+  for (const char* name : {"support.at.x", "blade1.before.x"}) {
+    CAPTURE(name);
+    CHECK(std::find(left.begin(), left.end(), name) != left.end());
   }
 }
