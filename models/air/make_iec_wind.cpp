@@ -1,7 +1,5 @@
 // Formulas of IEC 61400-1, third edition, section 6.3.
 
-#include "models/air/iec_wind.h"
-
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -10,6 +8,7 @@
 #include <numbers>
 #include <string>
 
+#include "models/air/iec_wind.h"
 #include "models/air/turbulence.h"
 #include "models/air/wind_rules.h"
 #include "spoke/error.h"
