@@ -4,10 +4,18 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace spoke {
+
+/// What a saved state holds of a controller of the program's (engine/controller.h).
+struct SavedControl {
+  std::int64_t sampled = -1;     ///< step at whose end it took its newest sample; -1: none yet
+  std::vector<double> commands;  ///< see ControlLoop::save() of engine/simulation/control_loop.cpp
+  std::string memory;            ///< what Controller::save() has returned
+};
 
 /// A state of a simulation between two steps, made by Simulation::save() or read from a checkpoint.
 /// It may be copied, kept and handed to other threads; it does not refer to a simulation.
@@ -23,6 +31,7 @@ struct SavedState {
   /// Values that a step leaves to the next, see engine/bodies/table/state_values.h, then the
   /// Observations of all steps so far (engine/simulation/observations.h).
   std::vector<double> values;
+  std::optional<SavedControl> control{};  ///< where there is a controller of the program's
 };
 
 }  // namespace spoke

@@ -4,8 +4,10 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <span>
 
+#include "engine/controller.h"
 #include "engine/exchange.h"
 #include "engine/formulation.h"
 #include "graph/executor.h"
@@ -18,7 +20,8 @@ using graph::name_of;
 /// The widest window of steps that may be asked for.
 inline constexpr int kMostWindow = 1000;
 
-/// Options of a simulation. Only the formulation affects the results, by round-off.
+/// Options of a simulation. Only the formulation affects the results, by round-off, and a
+/// controller.
 struct SimulationOptions {
   Formulation formulation = Formulation::structured;  ///< of the equations of motion
   ExecutorKind executor = ExecutorKind::automatic;    ///< what runs the step graph
@@ -39,6 +42,9 @@ struct SimulationOptions {
   /// the bits that one process alone would have. Not possible with the formulation augmented, loads
   /// of the program, and traces; at most as many processes as subsystems.
   Exchange* exchange = nullptr;
+  /// The controller of a scenario with [control.program], which needs one; of this simulation
+  /// alone. It affects the results as the scenario does.
+  std::shared_ptr<Controller> controller{};
 };
 
 /// The size of a model.

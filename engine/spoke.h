@@ -5,6 +5,7 @@
 
 #include "engine/campbell.h"
 #include "engine/checkpoint.h"
+#include "engine/controller.h"
 #include "engine/courses.h"
 #include "engine/critical.h"
 #include "engine/equilibrium.h"

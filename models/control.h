@@ -1,9 +1,11 @@
 #pragma once
 
-// Controllers of a rotor, as data: they read the hub's speed and move joints.
+// Controllers of a rotor, as data: they read the hub's speed and move joints. What comes from
+// outside the scenario, a library or an object of the program, has its place here, too.
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "models/curve.h"
@@ -34,6 +36,48 @@ struct PitchControl {
   double sign = 1.0;     ///< joint angle by theta: 1 or -1
   /// Time between samples, in steps to the nearest whole number from 1 on [s]; none: a step.
   std::optional<double> period = std::nullopt;
+};
+
+/// A number of a library's array that a sensor of the simulation gives.
+struct LibraryRecord {
+  int number = 1;        ///< in the array, from 1
+  std::string sensor{};  ///< its name
+  double factor = 1.0;   ///< number by value of the sensor
+};
+
+/// The place of a controller that is not the scenario's own: an object of the program, or a library
+/// of Bladed's kind (docs/scenario.md, [control.program] and [control.library]). It is called in
+/// samples, between steps, and sets the torque of the drive, the pitch of each blade and the yaw.
+/// Of several rotors it is that of the first one.
+struct OuterControl {
+  /// Names of the joints that follow the demanded pitch, as PitchControl::joints; may be empty.
+  std::vector<std::string> joints{};
+  double initial = 0.0;  ///< pitch angle at t = 0 [rad]
+  double sign = 1.0;     ///< joint angle by pitch angle: 1 or -1
+  /// Name of a joint of the support that follows the demanded rate of yaw, likewise; may be empty.
+  std::string yaw_joint{};
+  /// Sense in which the rotor turns about its axis: 1 or -1. Speeds, angles and torques of a
+  /// controller count along it.
+  double direction = 1.0;
+  double brake_torque = 0.0;  ///< of the brake that is on in full, on the hub's side [N m]
+  double brake_speed = 0.01;  ///< from which on it has that torque [rad/s]
+  /// Time between samples, in steps to the nearest whole number from 1 on [s]; none: a step.
+  std::optional<double> period = std::nullopt;
+
+  // Of a library.
+  std::string file{};   ///< the library; empty: an object of the program
+  std::string input{};  ///< accINFILE, the file that it reads its parameters from; may be empty
+  std::string name{};   ///< avcOUTNAME, with which names of files begin that it writes
+  /// Turns of the generator for one of the hub; none: those of the drive train, or 1.
+  std::optional<double> gear_ratio = std::nullopt;
+  /// Whether it demands the pitch of each blade by itself, of at most three, else of all alike.
+  bool individual_pitch = false;
+  double efficiency = 1.0;               ///< electrical power by that of the generator's shaft
+  std::vector<LibraryRecord> records{};  ///< that sensors give
+
+  bool is_library() const { return !file.empty(); }
+  /// Returns the table of a scenario that it stands in.
+  std::string_view table() const { return is_library() ? "control.library" : "control.program"; }
 };
 
 /// Returns the factor of the gains at a pitch angle [rad].

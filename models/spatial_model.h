@@ -476,7 +476,9 @@ struct Model {
   std::vector<HubLoad> hub_loads{};                          ///< loads on the hub
   std::vector<Anchor> anchors{};                             ///< places that loops may close on
   std::optional<PitchControl> pitch_control = std::nullopt;  ///< collective pitch; none: no control
-  std::optional<Air> air = std::nullopt;                     ///< around the blades; none: vacuum
+  /// A controller that a library or the program gives; not along with pitch_control.
+  std::optional<OuterControl> outer_control = std::nullopt;
+  std::optional<Air> air = std::nullopt;  ///< around the blades; none: vacuum
 };
 
 /// Returns the number of rotors: 1, or more on a support.

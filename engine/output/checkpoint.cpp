@@ -26,7 +26,7 @@ namespace {
 // The frame, which all formats share: magic, format, length of the content, content, checksum of
 // all bytes before it.
 constexpr std::string_view kMagic = "SPOKECKP";
-constexpr std::uint32_t kFormat = 7;
+constexpr std::uint32_t kFormat = 8;
 constexpr std::size_t kHeader = 8 + 4 + 8;
 constexpr std::size_t kFrame = kHeader + 4;
 
@@ -43,6 +43,12 @@ void add_state(const SavedState& state, ByteWriter& content) {
   content.add_number(state.dissipated);
   content.add_count(state.values.size());
   for (const double value : state.values) content.add_number(value);
+  content.add(static_cast<std::uint8_t>(state.control.has_value()));
+  if (!state.control) return;
+  content.add(static_cast<std::uint64_t>(state.control->sampled));
+  content.add_count(state.control->commands.size());
+  for (const double value : state.control->commands) content.add_number(value);
+  content.add_text(state.control->memory);
 }
 
 void add_record(const RunRecord& record, ByteWriter& content) {
@@ -72,6 +78,12 @@ SavedState take_state(ByteReader& content) {
   state.dissipated = content.take_number();
   state.values.resize(content.take_count(sizeof(double)));
   for (double& value : state.values) value = content.take_number();
+  if (content.take<std::uint8_t>() == 0) return state;
+  SavedControl& control = state.control.emplace();
+  control.sampled = static_cast<std::int64_t>(content.take<std::uint64_t>());
+  control.commands.resize(content.take_count(sizeof(double)));
+  for (double& value : control.commands) value = content.take_number();
+  control.memory = content.take_text();
   return state;
 }
 

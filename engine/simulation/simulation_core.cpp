@@ -84,6 +84,7 @@ SimulationCore::SimulationCore(const Scenario& asked, const SimulationOptions& c
       planned_steps(count_steps(given.integration)),
       step_size(given.integration.duration / static_cast<double>(planned_steps)) {
   prepare(loads);
+  control = make_control_loop(scenario, step_size, options.controller, *model);
   begin();
 }
 
@@ -127,6 +128,9 @@ void SimulationCore::require_shareable(const Loads& loads) const {
   if (options.formulation == Formulation::augmented)
     throw InputError(text + "the formulation is augmented, expected structured or subsystem");
   if (!loads.empty()) throw InputError(text + "expected no loads of the program's");
+  if (scenario.space && scenario.space->outer_control)
+    throw InputError(text + "[" + std::string(scenario.space->outer_control->table()) +
+                     "] is called between steps, expected one process");
   for (const Anchor& anchor : scenario.space ? scenario.space->anchors : scenario.rotor.anchors)
     if (anchor.frame == Anchor::Frame::axle)
       throw InputError(text + "anchor \"" + anchor.name +
@@ -155,6 +159,7 @@ void SimulationCore::require_shareable(const Loads& loads) const {
 
 void SimulationCore::step() {
   if (runner->steps() >= planned_steps) return;
+  sample_control();
   require_done([this] {
     return runner->advance_one([this](std::int64_t step) {
       if (stops_on_growth()) sample(step);
@@ -166,14 +171,40 @@ void SimulationCore::step() {
 void SimulationCore::run_to(std::int64_t target, const StepObserver& observe) {
   const auto completed = [this, &observe](std::int64_t step) { complete_step(step, observe); };
   const bool observed = observe || stops_on_growth();
-  require_done(
-      [&] { return runner->advance_to(std::min(target, planned_steps), observed, completed); });
+  target = std::min(target, planned_steps);
+  do {
+    sample_control();
+    const std::int64_t end = control ? std::min(target, control->next(runner->steps())) : target;
+    require_done([&] { return runner->advance_to(end, observed, completed); });
+  } while (runner->steps() < target && !runner->is_stopping());
+}
+
+/// Lets a controller from outside take a sample where the simulation stands, if it is due.
+void SimulationCore::sample_control() {
+  const std::int64_t step = runner->steps();
+  if (!control || step >= planned_steps || !control->is_due(step)) return;
+  require_state("go on from");
+  const Calling calling(*this);
+  const DemandedDrive demanded = control->sample(step, scenario, values(), *model);
+  if (demanded.jumps)
+    set_drive(demanded.drive, 0);
+  else
+    put_drive(demanded.drive, 0);
+}
+
+/// Throws InputError, which refuses `what`, if a controller is called between the steps of a run.
+void SimulationCore::require_uncontrolled(const char* what) const {
+  if (control)
+    throw InputError(std::string(what) + ": [" +
+                     std::string(scenario.space->outer_control->table()) +
+                     "] is called between steps, expected no controller from outside");
 }
 
 StepTrace SimulationCore::trace(std::int64_t target, const StepObserver& observe,
                                 const TraceOptions& trace_options) {
   const auto completed = [this, &observe](std::int64_t step) { complete_step(step, observe); };
   const bool observed = observe || stops_on_growth();
+  require_uncontrolled("a trace");
   if (is_shared())
     throw InputError("a trace: several processes simulate the model together, expected one");
   StepTrace trace;
@@ -190,6 +221,7 @@ StepTrace SimulationCore::trace(std::int64_t target, const StepObserver& observe
 }
 
 void SimulationCore::measure(std::int64_t target, graph::Executor& executor) {
+  require_uncontrolled("a comparison of executors");
   require_done([&] {
     return runner->advance_by(executor, std::min(target, planned_steps), stops_on_growth(),
                               [this](std::int64_t step) { complete_step(step, {}); });
@@ -265,7 +297,8 @@ SavedState SimulationCore::save() {
           evaluations,
           work.by_drive_and_loads,
           work.dissipated,
-          take_values(steps)};
+          take_values(steps),
+          control ? std::optional(control->save()) : std::nullopt};
 }
 
 // Returns the values of the table, then the observations.
@@ -305,6 +338,7 @@ void SimulationCore::restore(const SavedState& state) {
   };
   if (!is_possible(before, has_body, has_loop_row))
     throw InputError("the saved state names a body or a loop that there is not");
+  if (control) control->restore(state.control, *model);
   seen = before;
   put(state.values, state.steps);
   evaluations = state.evaluations;
@@ -336,7 +370,8 @@ void SimulationCore::begin_again(const Scenario& next, std::span<const double> s
 }
 
 bool may_begin_again(const Scenario& scenario) {
-  return scenario.initial.state != InitialState::equilibrium;
+  return scenario.initial.state != InitialState::equilibrium &&
+         !(scenario.space && scenario.space->outer_control);
 }
 
 /// Whether the energies of every step are looked at.

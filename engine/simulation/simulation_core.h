@@ -14,6 +14,7 @@
 #include "engine/courses.h"
 #include "engine/load.h"
 #include "engine/saved_state.h"
+#include "engine/simulation/control_loop.h"
 #include "engine/simulation/observations.h"
 #include "engine/simulation/sensors.h"
 #include "engine/simulation/simulated_model.h"
@@ -111,6 +112,7 @@ class SimulationCore {
   std::vector<Jump> jumps;  ///< of motions that scenario and program prescribe, in order of time
   std::map<std::string, double> load_factors;  ///< that the program has set, by name of the loads
   std::vector<JointTorque> torques;            ///< that the program has set, 0 included
+  std::unique_ptr<ControlLoop> control;        ///< null: no controller from outside
   double energy_resolution = 0.0;              ///< [J]
   SimulationLog log;
   /// Sensor values, measured when first read after a step.
@@ -144,6 +146,8 @@ class SimulationCore {
   void prepare(const Loads& loads);
   void begin();
   void put(std::span<const double> values, std::int64_t steps);
+  void sample_control();
+  void require_uncontrolled(const char* what) const;
   void require_shareable(const Loads& loads) const;
   void sample(std::int64_t step);
   /// Returns the present time [s].
@@ -170,7 +174,7 @@ class SimulationCore {
 
 /// Whether a simulation can begin_again() with a scenario that differs from this one only in values
 /// of the drive, not in its kind. It cannot if it starts from an equilibrium, which depends on the
-/// drive.
+/// drive, or if a controller from outside keeps data.
 bool may_begin_again(const Scenario& scenario);
 
 /// Returns the implementation of `simulation`, for functions of Spoke that are not part of its

@@ -123,18 +123,28 @@ bool is_moved(const System<Space>& system, const SupportedRotor& rotor) {
   });
 }
 
-/// Puts the joints of a subsystem that a controller names under its control. `tree`: that of the
+/// Lets the joints of a subsystem that a controller names follow its angle. `tree`: that of the
 /// subsystem.
-void control_joints(const PitchControl& control, const spatial::Tree& tree,
-                    Subsystem<Space>& subsystem) {
+void control_joints(const std::vector<std::string>& joints, const DemandedAngle& angle,
+                    const spatial::Tree& tree, Subsystem<Space>& subsystem) {
   for (std::size_t j = 0; j < tree.bodies.size(); ++j) {
     const std::string& name = tree.bodies[j].joint.name;
-    if (name.empty() ||
-        std::find(control.joints.begin(), control.joints.end(), name) == control.joints.end())
-      continue;
+    if (name.empty() || std::find(joints.begin(), joints.end(), name) == joints.end()) continue;
     subsystem.bodies[j].joint.course.control = 0;
-    subsystem.controls = {control};
+    subsystem.controls = {angle};
   }
+}
+
+/// Lets the joints of a subsystem follow the controller of a model.
+void control_joints(const spatial::Model& model, const spatial::Tree& tree, bool is_support,
+                    Subsystem<Space>& subsystem) {
+  if (const auto& law = model.pitch_control; law && !is_support)
+    control_joints(law->joints, {law, true, law->initial, law->sign}, tree, subsystem);
+  const auto& outer = model.outer_control;
+  if (outer && is_support)
+    control_joints({outer->yaw_joint}, {{}, false, 0.0, 1.0}, tree, subsystem);
+  if (outer && !is_support && tree.rotor == 0)
+    control_joints(outer->joints, {{}, true, outer->initial, outer->sign}, tree, subsystem);
 }
 
 /// Turns the loads on the hub of a rotor to loads on the body that it is.
@@ -314,8 +324,7 @@ System<Space> make_system(const spatial::Model& model, const std::vector<spatial
                         .rotors = carried},
                        make_body_loads(model, trees[i], i), bodies));
     if (model.support) system.subsystems.back().rotor = rotor;
-    if (model.pitch_control)
-      control_joints(*model.pitch_control, trees[i], system.subsystems.back());
+    control_joints(model, trees[i], false, system.subsystems.back());
   }
   if (model.support) {
     const spatial::Tree& tree = trees.back();
@@ -324,6 +333,7 @@ System<Space> make_system(const spatial::Model& model, const std::vector<spatial
         .centre = machine.from_base, .rotors = carried, .base = body_of(model.support->fuselage)};
     system.subsystems.push_back(
         make_subsystem(tree, setting, make_body_loads(model, tree, on_hub), bodies));
+    control_joints(model, tree, true, system.subsystems.back());
     add_rotors(model, trees, system);
   }
   list_shared_loops(trees, system);

@@ -56,6 +56,14 @@ struct SupportedRotor {
   std::string prefix{};  ///< of its names, see prefix_of_rotor()
 };
 
+/// An angle that joints of a subsystem follow, as a controller demands it in samples.
+struct DemandedAngle {
+  std::optional<PitchControl> law{};  ///< the scenario's own; none: demands come between steps
+  bool is_pitch = true;               ///< else the yaw of what carries the hub
+  double initial = 0.0;               ///< at t = 0 [rad]
+  double sign = 1.0;                  ///< joint angle by demanded angle
+};
+
 /// A subsystem: a tree of bodies on a hub, parents first; in the plane a chain, root to tip.
 template <class World>
 struct Subsystem {
@@ -71,7 +79,7 @@ struct Subsystem {
   std::vector<LoopModel> loops;
   std::shared_ptr<const BladeAirModel> air;  ///< null: none acts on it; always in the plane
   std::shared_ptr<const DragModel> drag;     ///< likewise, of its bodies in the wind
-  std::vector<PitchControl> controls;        ///< controllers that move joints of it
+  std::vector<DemandedAngle> controls;       ///< angles that controllers move joints of it by
   /// Factors f of the modes that damp its beams, beam by beam: D = b K + sum f w w^T [1/s].
   std::vector<double> modal_factors;
 

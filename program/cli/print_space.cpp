@@ -252,6 +252,15 @@ std::string describe(const PitchControl& control) {
   return text + keys::describe_others(keys::kPitchControlRows, &control, kSaid);
 }
 
+/// Returns what is called in samples: "library libdiscon.so, joint pitch, every 0.01 s".
+std::string describe(const OuterControl& control) {
+  std::string text = control.is_library() ? "library " + control.file : "of the program";
+  for (const std::string& joint : control.joints) text += ", joint " + joint;
+  if (!control.yaw_joint.empty()) text += ", yaw by " + control.yaw_joint;
+  return text + (control.period ? fmt::format(", every {} s", number(*control.period))
+                                : std::string(", every step"));
+}
+
 }  // namespace
 
 void print_space(const spatial::Model& model) {
@@ -286,6 +295,7 @@ void print_space(const spatial::Model& model) {
     print_lines(has_support ? name : "all",
                 describe(calc_mass_properties(hub, own), "the hub's origin"));
   }
+  if (model.outer_control) print_line("control", describe(*model.outer_control));
   if (model.pitch_control) print_line("pitch", describe(*model.pitch_control));
 }
 

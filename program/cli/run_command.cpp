@@ -360,6 +360,7 @@ struct Prepared {
     const fs::path trace_folder = arguments.trace_out;
     if (has_own_folder(trace_folder, folder)) taken_for_trace.emplace(trace_folder);
     if (!arguments.resume.empty()) resumed = resume(arguments.resume, simulation);
+    if (arguments.checkpoint_every) simulation.save();  // refused now, not when it is due
   }
 
   /// Opens the files of the run, whether it is new or resumed.

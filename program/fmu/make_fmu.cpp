@@ -76,6 +76,10 @@ std::string make_token(const Contents& contents, const PackedScenario& scenario)
 
 Contents make_contents(const PackedScenario& scenario, const Simulation& simulation,
                        const Fmu& made) {
+  if (const auto& space = simulation.scenario().space; space && space->outer_control)
+    throw InputError('[' + std::string(space->outer_control->table()) +
+                     "] is a controller from outside, of which an FMU has inputs in its place: "
+                     "expected none");
   Contents contents;
   contents.scenario = scenario.name;
   contents.overrides = scenario.overrides;

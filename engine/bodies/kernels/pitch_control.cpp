@@ -18,17 +18,30 @@ double kept_share(const PitchControl& control, double period) {
 }  // namespace
 
 ControlState start_control(const PitchControl& control) {
-  ControlState state;
+  ControlState state = start_angle(control.initial);
   state.speed = control.speed;
   state.integral = control.initial;
-  state.demands.fill(control.initial);
   return state;
 }
 
-std::int64_t count_sample_steps(const PitchControl& control, double h) {
+ControlState start_angle(double initial) {
+  ControlState state;
+  state.demands.fill(initial);
+  return state;
+}
+
+std::int64_t count_sample_steps(const std::optional<double>& period, double h) {
   assert(h > 0.0);
-  if (!control.period) return 1;
-  return std::max<std::int64_t>(1, std::llround(*control.period / h));
+  if (!period) return 1;
+  return std::max<std::int64_t>(1, std::llround(*period / h));
+}
+
+void demand_angle(double angle, double t, double period, ControlState& state) noexcept {
+  assert(period > 0.0);
+  std::shift_left(state.demands.begin(), state.demands.end(), 1);
+  state.demands.back() = angle;
+  state.since = t;
+  state.period = period;
 }
 
 void take_sample(const PitchControl& control, double speed, double t, double period, bool is_first,
@@ -50,10 +63,7 @@ void take_sample(const PitchControl& control, double speed, double t, double per
   const bool winds_up = std::abs(change) > most && (integral - state.integral) * change > 0.0;
   if (!winds_up) state.integral = integral;
   change = std::clamp(change, -most, most);
-  std::shift_left(state.demands.begin(), state.demands.end(), 1);
-  state.demands.back() = limit(before + change);
-  state.since = t;
-  state.period = period;
+  demand_angle(limit(before + change), t, period, state);
 }
 
 space::PrescribedMotion follow(const ControlState& state, double t) noexcept {

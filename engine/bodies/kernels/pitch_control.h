@@ -4,6 +4,7 @@
 // (docs/formulation.md, section 15).
 
 #include <cstdint>
+#include <optional>
 
 #include "engine/bodies/space/joint_motion.h"
 #include "engine/bodies/table/control_data.h"
@@ -13,9 +14,14 @@ namespace spoke {
 
 /// Returns the state of a controller at t = 0.
 ControlState start_control(const PitchControl& control);
+/// Returns the state of an angle that is demanded from outside, at t = 0.
+ControlState start_angle(double initial);
 
-/// Returns the steps between two samples of a controller, in steps of h [s].
-std::int64_t count_sample_steps(const PitchControl& control, double h);
+/// Returns the steps between two samples of a period [s], of a step without one, in steps of h [s].
+std::int64_t count_sample_steps(const std::optional<double>& period, double h);
+
+/// Demands an angle for the course from time t [s] to t + period [s].
+void demand_angle(double angle, double t, double period, ControlState& state) noexcept;
 
 /// Takes a sample: filters the speed [rad/s], and demands an angle for the course from time t [s]
 /// to t + period [s]. `is_first`: the filter begins with this speed.

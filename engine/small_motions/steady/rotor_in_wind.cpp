@@ -40,7 +40,8 @@ RotorInWind::RotorInWind(const Scenario& scenario, int rotor,
       is_rigid_(is_rigid),
       direction_(direction_of(*scenario.space, rotor)) {
   scenario_.sensors.clear();
-  scenario_.space->pitch_control.reset();  // it would add its angle at the start
+  scenario_.space->pitch_control.reset();  // they would add their angle at the start
+  scenario_.space->outer_control.reset();
 }
 
 /// Returns the state at which the rotor is evaluated; the model is left there.

@@ -65,7 +65,7 @@ std::vector<Curve*> hold_joints(System<Space>& system, Instant instant) {
       for (space::DrivenMotion& motion : course.driven)
         motion = spatial::MotionTable{Curve(steady_value(motion, instant))};
       if (course.control >= 0) {
-        const PitchControl& control = subsystem.controls[static_cast<std::size_t>(course.control)];
+        const DemandedAngle& control = subsystem.controls[static_cast<std::size_t>(course.control)];
         const double own = std::get<spatial::MotionTable>(course.driven[0]).value.value(0.0);
         course.driven[0] = spatial::MotionTable{Curve(own + control.sign * control.initial)};
         course.control = -1;

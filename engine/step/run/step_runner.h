@@ -72,6 +72,8 @@ class StepRunner {
   std::int64_t steps() const { return stepper_.steps(); }
   /// Calls TimeStepper::stop(), while advance_to() runs.
   void stop() { stepper_.stop(); }
+  /// Whether stop() has ended the last advance_to().
+  bool is_stopping() const { return stepper_.is_stopping(); }
   StepOutcome evaluate(bool renew) { return stepper_.evaluate(renew); }
   void continue_from(std::int64_t steps) { stepper_.continue_from(steps); }
 

@@ -29,7 +29,10 @@ inline constexpr std::array kScenarioRows{
             "[forces and moments per length](#distributed_load-a-force-and-a-moment-per-length)"),
     by_hand("drag", kTables, "in the plane: [drag](#drag-against-the-motion)"),
     by_hand("hub_load", kTables, "[forces and torques on the hub](#hub_load-on-the-hub)"),
-    by_hand("control", kTable, "in space: [control of pitch](#controlpitch-pitch-by-the-speed)"),
+    by_hand("control", kTable,
+            "in space: [control of pitch](#controlpitch-pitch-by-the-speed), [a "
+            "library](#controllibrary-a-library-of-bladeds-kind), or [a controller of the "
+            "program's](#controlprogram-a-controller-that-the-program-gives)"),
     by_hand("initial", kTable, "[where the simulation starts](#initial)"),
     by_hand("integration", kTable, "[how the motion is integrated](#integration), and for how long")
         .required(),

@@ -141,6 +141,10 @@ void add_loads(std::vector<Table>& all) {
 void add_air(std::vector<Table>& all) {
   all.push_back({"control", {{"[control]", kControlRows}}});
   all.push_back({"control.pitch", {{"[control.pitch]", kPitchControlRows}}});
+  all.push_back({"control.library",
+                 {{"[control.library]", kLibraryRows}, {"controllers", kOuterControlRows}}});
+  all.push_back({"control.library.record", {{"[[control.library.record]]", kLibraryRecordRows}}});
+  all.push_back({"control.program", {{"controllers", kOuterControlRows}}});
   all.push_back({"control.pitch.schedule", {{"schedules", kScheduleRows}}});
   all.push_back({"air", {{"[air]", kAirRows}}});
   all.push_back({"wind", {{"[wind]", kWindRows}}});

@@ -80,17 +80,50 @@ std::string find_joint_name_fault(const std::string& name, const Model& model) {
   return describe_unknown(name, names);
 }
 
-Fault find_joints_fault(const PitchControl& control, const Model& model) {
-  if (control.joints.empty()) return {"joints", "is empty, expected names of joints"};
-  for (std::size_t i = 0; i < control.joints.size(); ++i) {
+Fault find_joints_fault(const std::vector<std::string>& joints, const Model& model) {
+  for (std::size_t i = 0; i < joints.size(); ++i) {
     const std::string path = "joints." + std::to_string(i + 1);
-    const auto end = control.joints.begin() + static_cast<std::ptrdiff_t>(i);
-    if (std::find(control.joints.begin(), end, control.joints[i]) != end)
-      return {path, "is \"" + control.joints[i] + "\" as another one, expected each name once"};
-    if (std::string fault = find_joint_name_fault(control.joints[i], model); !fault.empty())
+    const auto end = joints.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::find(joints.begin(), end, joints[i]) != end)
+      return {path, "is \"" + joints[i] + "\" as another one, expected each name once"};
+    if (std::string fault = find_joint_name_fault(joints[i], model); !fault.empty())
       return {path, fault};
   }
   return {};
+}
+
+/// Returns what is wrong with the name of a joint that yaws a support; empty if nothing is.
+std::string find_yaw_fault(const std::string& name, const Model& model) {
+  if (name.empty()) return {};
+  if (!model.support) return "is \"" + name + "\", but there is no [support]";
+  std::vector<std::string_view> names;
+  const Subsystem& support = model.subsystems.back();
+  for (const SubsystemJoint& joint : support.joints) {
+    if (joint.joint.name == name) return find_joint_fault({&joint.joint, "the support"});
+    if (!joint.joint.name.empty()) names.push_back(joint.joint.name);
+  }
+  if (names.empty()) return "is \"" + name + "\", but no joint of the support has a name";
+  return describe_unknown(name, names);
+}
+
+Fault find_record_fault(const std::vector<LibraryRecord>& records) {
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const std::string path = "record." + std::to_string(i + 1);
+    const FirstFault first;
+    find_range_faults("", keys::kLibraryRecordRows, records[i], first);
+    first("number", records[i].number, keys::kRecordNumbers, Presence::required);
+    if (records[i].sensor.empty()) first.add({"sensor", "is empty, expected the name of a sensor"});
+    for (std::size_t k = 0; k < i; ++k)
+      if (records[k].number == records[i].number)
+        first.add({"number", "is " + std::to_string(records[i].number) +
+                                 " as of another record, expected each number once"});
+    if (first.found()) return Fault(first.found()).within(path);
+  }
+  return {};
+}
+
+void find_sign_fault(const char* key, double sign, const FirstFault& first) {
+  if (sign != 1.0 && sign != -1.0) first.add({key, "is " + describe(sign) + ", expected 1 or -1"});
 }
 
 Fault find_limits_fault(const PitchControl& control) {
@@ -124,8 +157,7 @@ Fault find_fault(const PitchControl& control, const Model& model) {
   if (control.proportional == 0.0 && control.integral == 0.0)
     first.add({"integral", "is 0, as proportional is, expected that one of them is not"});
   first("initial", control.initial, kAngle);
-  if (control.sign != 1.0 && control.sign != -1.0)
-    first.add({"sign", "is " + describe(control.sign) + ", expected 1 or -1"});
+  find_sign_fault("sign", control.sign, first);
   if (control.schedule && control.half_gain_angle)
     first.add({"schedule", "given along with half_gain_angle, expected only one of them"});
   if (control.schedule) {
@@ -134,7 +166,42 @@ Fault find_fault(const PitchControl& control, const Model& model) {
     for (const double angle : control.schedule->times()) first("schedule.angle", angle, kAngle);
   }
   first.add(find_limits_fault(control));
-  first.add(find_joints_fault(control, model));
+  if (control.joints.empty()) first.add({"joints", "is empty, expected names of joints"});
+  first.add(find_joints_fault(control.joints, model));
+  return first.found();
+}
+
+Fault find_fault(const OuterControl& control, const Model& model) {
+  const FirstFault first;
+  const auto look = [&](keys::Rows rows) {
+    keys::visit_numbers<void>(rows, control, first);
+    keys::visit_options(
+        rows, control,
+        [&](std::string_view key, const std::optional<double>& value, const Quantity& quantity) {
+          if (value) first(key, *value, quantity);
+        });
+  };
+  look(keys::kOuterControlRows);
+  if (control.is_library()) look(keys::kLibraryRows);
+  find_sign_fault("sign", control.sign, first);
+  find_sign_fault("direction", control.direction, first);
+  first.add(find_joints_fault(control.joints, model));
+  if (const std::string fault = find_yaw_fault(control.yaw_joint, model); !fault.empty())
+    first.add({"yaw_joint", fault});
+  if (model.hub.support == HubSupport::free && !model.support)
+    first.add({"", "is of a hub that is free, expected one on an axle"});
+  if (prescribes_motion(model.hub.drive))
+    first.add({"", "sets the torque of a drive, but hub.drive.kind is \"" +
+                       std::string(name_of(model.hub.drive)) + "\", expected \"torque\""});
+  if (control.gear_ratio && model.support && axle_of(model, 0).train)
+    first.add(
+        {"gear_ratio", "given along with that of the drive train, expected only one of them"});
+  const std::size_t blades =
+      model.blades.size() + model.subsystems.size() - (model.support ? 1 : 0);
+  if (control.individual_pitch && blades > 3)
+    first.add({"individual_pitch", "is true of " + std::to_string(blades) +
+                                       " blades and subsystems, expected at most 3"});
+  first.add(find_record_fault(control.records));
   return first.found();
 }
 

@@ -2,11 +2,26 @@
 
 #include "models/reader/spatial/control_json.h"
 
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <utility>
+
 #include "models/reader/keys/control_keys.h"
 #include "models/reader/row_reader.h"
 #include "models/reader/spatial/spatial_fields.h"
 
 namespace spoke::spatial {
+namespace {
+
+/// Returns a path that holds wherever the scenario is written.
+std::string absolute(const std::string& file) {
+  std::error_code error;
+  const std::filesystem::path path = std::filesystem::absolute(file, error);
+  return error ? file : path.lexically_normal().string();
+}
+
+}  // namespace
 
 Json control_to_json(const PitchControl& control) {
   Json json;
@@ -22,6 +37,38 @@ Json control_to_json(const PitchControl& control) {
              {{"angle", control.schedule->times()}, {"factor", control.schedule->values()}});
   json.set("initial", control.initial);
   json.set("sign", static_cast<int>(control.sign));
+  return json;
+}
+
+Json control_to_json(const OuterControl& control) {
+  Json json;
+  const auto write = [&](keys::Rows rows) {
+    keys::write_numbers(rows, &control, json);
+    keys::visit_options(
+        rows, control,
+        [&](std::string_view key, const std::optional<double>& value, const Quantity&) {
+          if (value) json.set(key, *value);
+        });
+  };
+  if (control.is_library()) {
+    json.set("file", absolute(control.file));
+    if (!control.input.empty()) json.set("input", absolute(control.input));
+    json.set("name", control.name);
+    json.set("individual_pitch", control.individual_pitch);
+    write(keys::kLibraryRows);
+    for (const LibraryRecord& record : control.records) {
+      Json made;
+      made.set("number", record.number);
+      made.set("sensor", record.sensor);
+      keys::write(keys::kLibraryRecordRows, &record, made);
+      json.append("record", std::move(made));
+    }
+  }
+  for (const std::string& name : control.joints) json.append("joints", name);
+  write(keys::kOuterControlRows);
+  json.set("sign", static_cast<int>(control.sign));
+  if (!control.yaw_joint.empty()) json.set("yaw_joint", control.yaw_joint);
+  json.set("direction", static_cast<int>(control.direction));
   return json;
 }
 

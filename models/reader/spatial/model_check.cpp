@@ -141,6 +141,12 @@ void check_model(const Model& model) {
   check_each("hub_load", model.hub_loads, of_load);
   if (model.air) require(find_fault(*model.air, model));
   if (model.pitch_control) require(find_fault(*model.pitch_control, model).within("control.pitch"));
+  if (model.outer_control) {
+    const std::string table(model.outer_control->table());
+    require(find_fault(*model.outer_control, model).within(table));
+    if (model.pitch_control)
+      require({table, "given along with control.pitch, expected only one of them"});
+  }
 }
 
 }  // namespace spoke::spatial

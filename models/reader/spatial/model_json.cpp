@@ -261,6 +261,9 @@ void add_model(const Model& model, Json& json) {
     json.append("hub_load", std::move(made));
   }
   if (model.air) add_air(*model.air, json);
+  if (model.outer_control)
+    json.set("control", {{model.outer_control->is_library() ? "library" : "program",
+                          control_to_json(*model.outer_control)}});
   if (model.pitch_control) json.set("control", {{"pitch", control_to_json(*model.pitch_control)}});
 }
 

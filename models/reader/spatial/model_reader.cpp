@@ -266,7 +266,7 @@ Model read_model(const TomlSection& root, const std::string& folder) {
   read_distributed_loads(root, model);
   read_hub_loads(root, model);
   model.air = read_air(root, folder, model);
-  model.pitch_control = read_pitch_control(root, model);
+  read_control(root, folder, model);
   return model;
 }
 

@@ -8,15 +8,30 @@
 #include "models/system/spatial_system.h"
 
 namespace spoke {
+namespace {
+
+bool has_pitch(const Subsystem<Space>& subsystem) {
+  return !subsystem.controls.empty() && subsystem.controls.front().is_pitch;
+}
+
+/// Whether demands of a subsystem are those of laws, which take samples.
+bool has_law(const Subsystem<Space>& subsystem) {
+  return !subsystem.controls.empty() && subsystem.controls.front().law.has_value();
+}
+
+}  // namespace
 
 PitchControllers::PitchControllers(const System<Space>& system, StepData<Space>& data)
     : system_(system), data_(data), parts_(system.subsystems.size()) {
   for (std::size_t i = 0; i < parts_.size(); ++i) {
-    const std::vector<PitchControl>& controls = system.subsystems[i].controls;
+    const std::vector<DemandedAngle>& controls = system.subsystems[i].controls;
     if (controls.empty()) continue;
     SubsystemData<Space>& own = data.subsystems[i];
     own.controls = ArenaVector<ControlState>(controls.size(), *own.arena);
-    std::transform(controls.begin(), controls.end(), own.controls.begin(), start_control);
+    std::transform(controls.begin(), controls.end(), own.controls.begin(),
+                   [](const DemandedAngle& angle) {
+                     return angle.law ? start_control(*angle.law) : start_angle(angle.initial);
+                   });
     parts_[i] = own.part_maker.cover("control", Mark::state, own.controls);
     own.saved.push_back(doubles(own.controls[0], own.controls.size()));
   }
@@ -39,7 +54,9 @@ void PitchControllers::keep_values(std::size_t i, double t, double* into) const 
 }
 
 std::vector<ActorColumn> PitchControllers::columns(ColumnPlace place) const {
-  if (place != ColumnPlace::behind_joints) return {};
+  if (place != ColumnPlace::behind_joints ||
+      std::none_of(system_.subsystems.begin(), system_.subsystems.end(), has_pitch))
+    return {};
   return {{"control.pitch.demand", "rad"},
           {"control.pitch.angle", "rad"},
           {"control.pitch.rate", "rad/s"}};
@@ -48,10 +65,8 @@ std::vector<ActorColumn> PitchControllers::columns(ColumnPlace place) const {
 void PitchControllers::append_values(ColumnPlace place, std::int64_t /*step*/,
                                      std::span<const double* const> kept,
                                      std::vector<double>& values) const {
-  if (place != ColumnPlace::behind_joints) return;
-  const auto shown =
-      std::find_if(system_.subsystems.begin(), system_.subsystems.end(),
-                   [](const Subsystem<Space>& subsystem) { return !subsystem.controls.empty(); });
+  if (columns(place).empty()) return;
+  const auto shown = std::find_if(system_.subsystems.begin(), system_.subsystems.end(), has_pitch);
   const double* const first = kept[static_cast<std::size_t>(shown - system_.subsystems.begin())];
   values.insert(values.end(), first, first + kValues);
 }
@@ -89,8 +104,8 @@ void PitchControllers::take_samples(std::size_t i, double h) const noexcept {
   const std::int64_t before = progress.step - 1;
   const double t = static_cast<double>(before) * h;
   for (std::size_t k = 0; k < own.controls.size(); ++k) {
-    const PitchControl& control = system_.subsystems[i].controls[k];
-    const std::int64_t steps = count_sample_steps(control, h);
+    const PitchControl& control = *system_.subsystems[i].controls[k].law;
+    const std::int64_t steps = count_sample_steps(control.period, h);
     if (before % steps == 0)
       take_sample(control, hub_speed(i, t), t, static_cast<double>(steps) * h, before == 0,
                   own.controls[k]);
@@ -100,7 +115,7 @@ void PitchControllers::take_samples(std::size_t i, double h) const noexcept {
 void PitchControllers::add_nodes(const PassNodes& pass, PassPlace place, int i) const {
   const auto index = static_cast<std::size_t>(i);
   const graph::PartId part = parts_[index];
-  if (place != PassPlace::before_motion || part.index < 0) return;
+  if (place != PassPlace::before_motion || !has_law(system_.subsystems[index])) return;
   const SubsystemData<Space>& own = data_.subsystems[index];
   pass.builder.add_node(pass.label(stage(), i), graph::reads(own.parts.progress, speed_inputs(i)),
                         graph::updates(part),

@@ -1,7 +1,8 @@
 #pragma once
 
 // The controllers of pitch joints as an actor: when they take samples, and of what speed. Their law
-// is engine/bodies/kernels/pitch_control.h.
+// is engine/bodies/kernels/pitch_control.h. Angles that are demanded from outside, between steps
+// (engine/simulation/control_loop.h), have their states here, too, and no nodes.
 
 #include "engine/bodies/table/step_data.h"
 

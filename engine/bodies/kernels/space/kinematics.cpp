@@ -69,7 +69,7 @@ PrescribedMotion prescribe(const space::DrivenMotion& motion, double t, double p
 }
 
 /// Adds the angle of a controller to the motion of a joint that it moves.
-void add_control(const PitchControl& control, const ControlState& state, double t,
+void add_control(const DemandedAngle& control, const ControlState& state, double t,
                  PrescribedMotion& motion) {
   const PrescribedMotion pitch = follow(state, t);
   motion.value += control.sign * pitch.value;

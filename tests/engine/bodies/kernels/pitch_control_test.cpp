@@ -172,9 +172,9 @@ TEST_CASE("the integral does not wind up at the limits of angle and rate") {
 
 TEST_CASE("samples are taken every whole number of steps") {
   PitchControl control = make_control();
-  CHECK(count_sample_steps(control, 0.01) == 1);
+  CHECK(count_sample_steps(control.period, 0.01) == 1);
   control.period = 0.02;
-  CHECK(count_sample_steps(control, 0.01) == 2);
-  CHECK(count_sample_steps(control, 0.008) == 3);  // 2.5, away from zero
-  CHECK(count_sample_steps(control, 0.1) == 1);
+  CHECK(count_sample_steps(control.period, 0.01) == 2);
+  CHECK(count_sample_steps(control.period, 0.008) == 3);  // 2.5, away from zero
+  CHECK(count_sample_steps(control.period, 0.1) == 1);
 }

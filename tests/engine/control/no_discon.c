@@ -1,0 +1,2 @@
+/* A library that is no controller. */
+int nothing(void) { return 0; }
