@@ -55,6 +55,12 @@ FUNCTIONS = {
     "hub_load": (["hub_load"], "A force and a torque on the hub."),
     "pitch_control": (["control.pitch"],
                       "A controller of pitch, in space: control={\"pitch\": pitch_control(...)}."),
+    "library_control": (["control.library"],
+                        "A controller of Bladed's kind: control={\"library\": library_control(...)}."),
+    "library_record": (["control.library.record"], "A number of a library that a sensor gives."),
+    "program_control": (["control.program"],
+                        "What a controller of the program may move: "
+                        "control={\"program\": program_control(...)}."),
     "air": (["air"], "Air around the blades, in space."),
     "wind": (["wind"], "Wind before a rotor disturbs it, in space."),
     "gust": (["wind.gust"], "A gust of the wind."),

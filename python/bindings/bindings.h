@@ -12,6 +12,8 @@ void bind_errors(pybind11::module_& module);
 void bind_drives(pybind11::module_& module);
 /// Binds Marker, Wrench, and loads that are Python functions.
 void bind_loads(pybind11::module_& module);
+/// Binds what controllers that are Python objects are given.
+void bind_controllers(pybind11::module_& module);
 /// Binds Scenario.
 void bind_scenario(pybind11::module_& module);
 /// Binds Courses.

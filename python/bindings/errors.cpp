@@ -77,6 +77,9 @@ void translate(std::exception_ptr thrown) {
     raise(types.state, error);
   } catch (const Error& error) {
     raise(types.internal, error);
+  } catch (const LoadException& error) {  // of a controller
+    PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(error.raised().ptr())),
+                    error.raised().ptr());
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a load in Python raises, on its way through the engine as a C++ exception.
+// What a load or a controller in Python raises, on its way through the engine as a C++ exception.
 
 #include <pybind11/pybind11.h>
 
@@ -19,8 +19,8 @@ inline std::shared_ptr<const pybind11::object> share(pybind11::object object) {
           }};
 }
 
-/// An exception of a load's Python function, and its sentence, which needs no interpreter lock. The
-/// engine nests it in its LoadError.
+/// An exception of the program's Python function, and its sentence, which needs no interpreter
+/// lock. The engine nests that of a load in its LoadError; that of a controller leaves it as it is.
 class LoadException : public std::runtime_error {
  public:
   /// Precondition: the interpreter lock is held.

@@ -14,7 +14,7 @@
 #include "engine/load.h"
 #include "models/scenario.h"
 #include "python/bindings/bindings.h"
-#include "python/bindings/load_exception.h"
+#include "python/bindings/run_in_python.h"
 
 namespace spoke::python {
 namespace {
@@ -22,42 +22,6 @@ namespace {
 namespace py = pybind11;
 using namespace py::literals;
 using Numbers = py::array_t<double>;
-
-/// Returns "ValueError: message (file.py, line 7)", with the place where it was raised.
-std::string describe(const py::error_already_set& error) {
-  std::string text = py::str(error.type().attr("__name__")).cast<std::string>() + ": " +
-                     py::str(error.value()).cast<std::string>();
-  py::object trace = error.trace() ? py::object(error.trace()) : py::object(py::none());
-  if (trace.is_none()) return text;
-  while (!trace.attr("tb_next").is_none()) trace = trace.attr("tb_next");
-  const py::object code = trace.attr("tb_frame").attr("f_code");
-  return text + " (" + py::str(code.attr("co_filename")).cast<std::string>() + ", line " +
-         py::str(trace.attr("tb_lineno")).cast<std::string>() + ')';
-}
-
-/// Returns the exception, which pybind11 keeps apart from its traceback.
-py::object with_traceback(const py::error_already_set& error) {
-  py::object raised = error.value();
-  if (error.trace()) PyException_SetTraceback(raised.ptr(), error.trace().ptr());
-  return raised;
-}
-
-/// Calls `evaluate` with the interpreter lock; a Python exception leaves as a LoadException, since
-/// it must not be touched without the lock.
-template <class Evaluate>
-void run_in_python(Evaluate&& evaluate) {
-  const py::gil_scoped_acquire lock;
-  try {
-    evaluate();
-  } catch (py::error_already_set& error) {
-    const LoadException exception(describe(error), with_traceback(error));
-    // For Recording::run(). From here on, what runs in Python is interrupted.
-    if (error.matches(PyExc_KeyboardInterrupt)) PyErr_SetInterrupt();
-    throw exception;
-  } catch (const py::builtin_exception& error) {
-    throw std::runtime_error(error.what());
-  }
-}
 
 /// Wraps function(t, motions) -> [(force, moment), ...]
 LoadFunction call_by_marker(py::function function) {

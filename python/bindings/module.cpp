@@ -8,6 +8,7 @@ PYBIND11_MODULE(_spoke, module) {
   spoke::python::bind_errors(module);
   spoke::python::bind_drives(module);
   spoke::python::bind_loads(module);
+  spoke::python::bind_controllers(module);
   spoke::python::bind_scenario(module);
   spoke::python::bind_simulation(module);
   spoke::python::bind_courses(module);

@@ -13,6 +13,7 @@
 #include "models/error.h"
 #include "program/run_report/html_file.h"
 #include "python/bindings/bindings.h"
+#include "python/bindings/load_exception.h"
 
 namespace spoke::python {
 
@@ -118,7 +119,11 @@ void Recording::finish() {
 }
 
 void Recording::keep_end() {
-  last_ = simulation_->save();
+  try {
+    last_ = simulation_->save();
+  } catch (const InputError&) {  // of a controller that keeps data of its own
+    last_.reset();
+  }
   last_courses_ = courses(*simulation_);
 }
 
@@ -137,6 +142,13 @@ void Recording::run(double until) {
     } catch (const DivergenceError& error) {
       outcome_ = {took(), error.what()};
       finish();
+      throw;
+    } catch (const LoadException&) {  // of a controller
+      outcome_.wall_time = took();
+      finish();
+      keep_end();
+      const py::gil_scoped_acquire lock;
+      if (PyErr_CheckSignals() != 0) throw py::error_already_set();  // for Ctrl-C within it
       throw;
     } catch (const LoadError&) {
       outcome_.wall_time = took();
@@ -160,7 +172,9 @@ std::string Recording::at_last_step(Make&& make) {
   const py::gil_scoped_release unlocked;
   if (!last_) {
     if (!is_at_hand())
-      throw StateError("the simulation that diverged was restored since: ask before it is");
+      throw StateError(
+          "the simulation has left the end of the run, whose state was not kept: ask before it "
+          "does, as after a divergence, or of a controller that does not save what it keeps");
     return make();
   }
   const SavedState present = simulation_->save();

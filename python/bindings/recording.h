@@ -73,7 +73,8 @@ class Recording {
   run_report::TipDeflections tips_;
   std::optional<run_report::Recorder> recorder_;  ///< data of the page
   RunOutcome outcome_;
-  std::optional<SavedState> last_;  ///< state at its end; none after a step that failed
+  std::optional<SavedState> last_;  ///< state at its end; none after a step that failed,
+                                    ///< or of a controller that keeps data of its own
   Courses last_courses_;            ///< in force then
   std::int64_t last_step_ = 0;
 };

@@ -18,6 +18,7 @@
 #include "engine/courses.h"
 #include "models/error.h"
 #include "python/bindings/bindings.h"
+#include "python/bindings/controllers.h"
 #include "python/bindings/queries.h"
 #include "python/bindings/used_simulation.h"
 #include "python/bindings/wind.h"
@@ -38,13 +39,12 @@ Scenario in_wind(Scenario scenario, std::optional<py::function> wind) {
   return scenario;
 }
 
-std::shared_ptr<UsedSimulation> make_simulation(const Scenario& scenario,
-                                                const std::string& formulation,
-                                                const std::string& executor,
-                                                std::pair<int, int> threads, int window,
-                                                const std::vector<std::shared_ptr<Load>>& loads,
-                                                std::optional<py::function> wind) {
+std::shared_ptr<UsedSimulation> make_simulation(
+    const Scenario& scenario, const std::string& formulation, const std::string& executor,
+    std::pair<int, int> threads, int window, const std::vector<std::shared_ptr<Load>>& loads,
+    std::optional<py::function> wind, std::optional<py::object> controller) {
   SimulationOptions options;
+  if (controller) options.controller = make_python_controller(std::move(*controller));
   options.formulation = formulation_of(formulation);
   options.executor = graph::executor_kind(executor);
   options.threads = {threads.first, threads.second};
@@ -234,7 +234,7 @@ void bind_simulation(py::module_& module) {
   bind_joint_motion(module);
   Class simulation(module, "Simulation");
   simulation.def(py::init(&make_simulation), "scenario"_a, "formulation"_a, "executor"_a,
-                 "threads"_a, "window"_a, "loads"_a, "wind"_a);
+                 "threads"_a, "window"_a, "loads"_a, "wind"_a, "controller"_a = py::none());
   simulation.def(py::init(&clone), "original"_a);
   bind_progress(simulation);
   bind_steps(simulation);

@@ -21,6 +21,9 @@ from ._spoke import (
     BodyState,
     Campbell,
     ConstantSpeed,
+    ControlCommands,
+    ControlledBlade,
+    ControlRecord,
     CoordinateMotion,
     Courses,
     Critical,
@@ -65,7 +68,8 @@ from ._spoke import (
 from ._steady import campbell, critical, equilibrium, modes, performance
 
 __all__ = [
-    "AnchorMotion", "BladeEquilibrium", "BladeShape", "BodyState", "Campbell", "ConstantSpeed", "CoordinateMotion",
+    "AnchorMotion", "BladeEquilibrium", "BladeShape", "BodyState", "Campbell", "ConstantSpeed",
+    "ControlCommands", "ControlRecord", "ControlledBlade", "CoordinateMotion",
     "Courses", "Critical", "Curve", "DivergenceError", "Equilibrium", "Error", "FixedDrive", "FreeDrive", "HubMotion",
     "InputError", "InternalError", "JointPosition", "Load", "LoadError", "LoopLoad", "Marker",
     "MarkerMotion",

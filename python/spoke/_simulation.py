@@ -34,7 +34,7 @@ class Simulation(_Simulation):
     """Simulates one system. Different simulations may run in different Python threads."""
 
     def __init__(self, scenario, *, set=None, formulation="structured", executor="auto",
-                 threads=None, window=0, loads=(), wind=None):
+                 threads=None, window=0, loads=(), wind=None, controller=None):
         """Builds the model and its step graph, and evaluates the accelerations at t = 0.
 
         scenario: what read_scenario() takes.
@@ -49,11 +49,20 @@ class Simulation(_Simulation):
             of the air there (3,) [m/s], all in the inertial frame, in place of the scenario's wind;
             it must depend on its arguments alone. What it raises is shown as Python shows what
             cannot be raised (sys.unraisablehook), and the step ends with DivergenceError.
+        controller: of a scenario with [control.program], for this simulation alone: an object with
+            the method control(record, commands), called at each sample with a ControlRecord and the
+            ControlCommands, whose attributes it sets; or a function of these. It may have
+            begin(sensors), called with the names of the sensors; and save(), which returns bytes of
+            all that it keeps, with restore(saved): else the simulation is neither saved nor cloned.
+            clone() copies it by copy.deepcopy. What it raises leaves the function that steps.
 
         Raises InputError, LoadError if a load fails at t = 0, DivergenceError.
         """
+        if controller is not None and not (hasattr(controller, "control") or callable(controller)):
+            raise TypeError(f"spoke.Simulation(): controller is {controller!r}, expected an object "
+                            "with the method control(record, commands), or a function")
         super().__init__(read_scenario(scenario, set), formulation, executor, _as_pair(threads),
-                         window, list(loads), wind)
+                         window, list(loads), wind, controller)
 
     def clone(self):
         """A simulation at the same state, which goes on by itself to the bits that this one would.

@@ -87,6 +87,8 @@ __all__ = [
     "interface",
     "joint",
     "joint_motion",
+    "library_control",
+    "library_record",
     "limits",
     "load",
     "loop",
@@ -97,6 +99,7 @@ __all__ = [
     "place",
     "point_mass",
     "polar",
+    "program_control",
     "relaxation",
     "rotor",
     "scenario",
@@ -809,6 +812,61 @@ def pitch_control(*, speed, proportional, integral, minimum, maximum, joint=None
     filter: corner frequency of the low-pass on the speed [rad/s]
     initial: θ at t = 0, where the integral begins, too [rad]
     sign: 1 or −1: the joint's coordinate is its own motion + sign θ
+    period: time between samples, in steps to the nearest whole number from 1 on [s]
+    """
+    return _given(locals())
+
+
+def library_control(*, file, input=None, name=None, gear_ratio=None, individual_pitch=None,
+                    efficiency=None, record=None, joint=None, joints=None, initial=None, sign=None,
+                    yaw_joint=None, direction=None, brake_torque=None, brake_speed=None,
+                    period=None):
+    """A controller of Bladed's kind: control={"library": library_control(...)}.
+
+    file: the library, by a path from the scenario's folder
+    input: accINFILE, the file that the library reads, by a path from the scenario's folder
+    name: avcOUTNAME, with which the names of files begin that it writes
+    gear_ratio: turns of the generator for one of the hub
+    individual_pitch: whether it demands the pitch of each blade by itself
+    efficiency: electrical power by that of the generator's shaft
+    record: numbers of its array that sensors give
+    joint: name of the pitch joint, of every blade or subsystem on the hub that has one of this name
+    joints: in place of joint: an array of names
+    initial: pitch angle θ at t = 0 [rad]
+    sign: 1 or −1: the joint's coordinate is its own motion + sign θ
+    yaw_joint: name of the joint of the support that follows the demanded rate of yaw
+    direction: sense in which the rotor turns about its axis: speeds, azimuths and torques count
+        along it
+    brake_torque: of the shaft brake that is on, on the hub's side [N m]
+    brake_speed: of the hub, from which on the brake has that torque [rad/s]
+    period: time between samples, in steps to the nearest whole number from 1 on [s]
+    """
+    return _given(locals())
+
+
+def library_record(*, number, sensor, factor=None):
+    """A number of a library that a sensor gives.
+
+    number: in avrSWAP, from 1
+    sensor: name of a column of sensors.csv
+    factor: number by value of the sensor
+    """
+    return _given(locals())
+
+
+def program_control(*, joint=None, joints=None, initial=None, sign=None, yaw_joint=None,
+                    direction=None, brake_torque=None, brake_speed=None, period=None):
+    """What a controller of the program may move: control={"program": program_control(...)}.
+
+    joint: name of the pitch joint, of every blade or subsystem on the hub that has one of this name
+    joints: in place of joint: an array of names
+    initial: pitch angle θ at t = 0 [rad]
+    sign: 1 or −1: the joint's coordinate is its own motion + sign θ
+    yaw_joint: name of the joint of the support that follows the demanded rate of yaw
+    direction: sense in which the rotor turns about its axis: speeds, azimuths and torques count
+        along it
+    brake_torque: of the shaft brake that is on, on the hub's side [N m]
+    brake_speed: of the hub, from which on the brake has that torque [rad/s]
     period: time between samples, in steps to the nearest whole number from 1 on [s]
     """
     return _given(locals())
