@@ -120,8 +120,10 @@ SavedControl ControlLoop::save() const {
   return saved;
 }
 
-void ControlLoop::restore(const std::optional<SavedControl>& saved, SimulatedModel& model) {
-  if (!saved || saved->commands.size() != kNumbers + commands_.pitch.size() ||
+void ControlLoop::restore(const std::optional<SavedControl>& saved, std::int64_t steps,
+                          SimulatedModel& model) {
+  if (!saved || saved->sampled < -1 || saved->sampled > steps ||
+      saved->commands.size() != kNumbers + commands_.pitch.size() ||
       !std::all_of(saved->commands.begin(), saved->commands.end(),
                    [](double value) { return std::isfinite(value); }))
     throw InputError("the saved state has nothing of " + name_of(*place_));

@@ -42,9 +42,9 @@ class ControlLoop {
 
   /// Returns what a saved state holds of it. Throws InputError if the controller gives nothing.
   SavedControl save() const;
-  /// Goes to a saved state, and puts its drive into `model`. Throws InputError, and changes
-  /// nothing, if there is none of it.
-  void restore(const std::optional<SavedControl>& saved, SimulatedModel& model);
+  /// Goes to a state saved after `steps` steps, and puts its drive into `model`. Throws InputError,
+  /// and changes nothing, if there is none of it.
+  void restore(const std::optional<SavedControl>& saved, std::int64_t steps, SimulatedModel& model);
   /// Returns a copy for a simulation of a copy of the scenario. Throws InputError if the controller
   /// gives none.
   std::unique_ptr<ControlLoop> clone(const Scenario& scenario) const;

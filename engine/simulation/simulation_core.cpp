@@ -338,7 +338,7 @@ void SimulationCore::restore(const SavedState& state) {
   };
   if (!is_possible(before, has_body, has_loop_row))
     throw InputError("the saved state names a body or a loop that there is not");
-  if (control) control->restore(state.control, *model);
+  if (control) control->restore(state.control, state.steps, *model);
   seen = before;
   put(state.values, state.steps);
   evaluations = state.evaluations;

@@ -144,6 +144,9 @@ TEST_CASE("a controller that keeps data of its own is not saved, and one without
   SavedState state = saved.save();
   state.control->memory = "short";
   CHECK(message_of([&] { saved.restore(state); }) == "the state of no governor");
+  state.control->sampled = state.steps + 1;  // it cannot have been called yet
+  CHECK(message_of([&] { saved.restore(state); }) ==
+        "the saved state has nothing of control.program");
   state.control.reset();
   CHECK(message_of([&] { saved.restore(state); }) ==
         "the saved state has nothing of control.program");
