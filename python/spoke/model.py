@@ -137,7 +137,7 @@ def scenario(*, integration, title=None, world=None, hub=None, anchor=None, blad
     distributed_load: forces and moments per length
     drag: in the plane: drag
     hub_load: forces and torques on the hub
-    control: in space: control of pitch
+    control: in space: control of pitch, a library, or a controller of the program's
     initial: where the simulation starts
     integration: how the motion is integrated, and for how long
     limits: limits of the results

@@ -24,7 +24,8 @@ namespace {
 constexpr int kSteps = 12;
 
 /// Models that several processes do not simulate together.
-const std::set<std::string_view> kOfOneProcess{  // loops between subsystems
+const std::set<std::string_view> kOfOneProcess{
+    // loops between subsystems
     "articulated_rotor, a ring of dampers", "helicopter_on_gear, blades tied"};
 
 /// What a run has shown, to the last bit.

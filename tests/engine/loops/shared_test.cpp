@@ -293,34 +293,6 @@ TEST_CASE("a ring of dampers acts on the cyclic pattern of lag as dampers of the
 
 namespace {
 
-/// Hammond's rotor of 1974 on its hub, which is heavier along x, with a ring of dampers between the
-/// blades in place of his lag dampers, each of half their rate; `missing`: so many of the ring.
-std::string make_hammond(double speed, int missing) {
-  const double a = 1.5, lag = 4067.5, tie = 0.5 * lag / (a * a * 0.5);
-  std::string text =
-      "world='space'\n[hub]\ninertia=5\n[hub.drive]\nkind='constant'\nspeed=" + number(speed) +
-      "\n[support]\nbody=[ { name='x', kind='rigid', mass=4743, inertia=100 },"
-      " { name='y', kind='rigid', mass=3283.6, inertia=100 } ]\n"
-      "joint=[ { parent='ground', child='x', kind='prismatic', axis=[1,0,0], initial=1e-6,"
-      " stiffness=1240481.8, damping=51078.7 }, { parent='x', child='y', kind='prismatic',"
-      " axis=[0,1,0], stiffness=1240481.8, damping=25539.3 } ]\naxle={ body='y' }\n";
-  for (int i = 0; i < 4; ++i) {
-    const std::string n = std::to_string(i), next = std::to_string((i + 1) % 4);
-    const double centre = 189.1 / 94.9;
-    const std::string inertia = number(1084.7 - 94.9 * centre * centre);
-    text += "[[subsystem]]\nname='b" + n + "'\nazimuth=" + number(0.5 * std::numbers::pi * i) +
-            "\nbody=[ { name='rod', kind='rigid', mass=94.9, center=[" + number(centre) +
-            ",0,0], inertia=[1," + inertia + ',' + inertia +
-            "] } ]\njoint=[ { parent='hub', child='rod', kind='revolute', axis=[0,0,1],"
-            " offset=[0.3048,0,0] } ]\n";
-    if (i >= missing)
-      text += "loop=[ { name='damper', kind='distance', stiffness=1e-9, damping=" + number(tie) +
-              ", from={ body='rod', point=[" + number(a) + ",0,0] }, to={ subsystem='b" + next +
-              "', body='rod', point=[" + number(a) + ",0,0] } } ]\n";
-  }
-  return text + kOfASecond;
-}
-
 /// Returns the growth of the slowest motion, from the state at whole turns: its components follow
 /// x(k + 2) = s x(k + 1) - p x(k), p = exp(2 T growth).
 double find_growth(const std::string& text, double speed) {

@@ -109,4 +109,31 @@ std::string make_tied_arms(const std::string& hub, bool is_apart, const std::str
   return text + kOfASecond;
 }
 
+std::string make_hammond(double speed, int missing, const std::string& more) {
+  const double a = 1.5, lag = 4067.5, tie = 0.5 * lag / (a * a * 0.5);
+  std::string text =
+      "world='space'\n[hub]\ninertia=5\n[hub.drive]\nkind='constant'\nspeed=" + number(speed) +
+      "\n[support]\nbody=[ { name='x', kind='rigid', mass=4743, inertia=100 },"
+      " { name='y', kind='rigid', mass=3283.6, inertia=100 } ]\n"
+      "joint=[ { parent='ground', child='x', kind='prismatic', axis=[1,0,0], initial=1e-6,"
+      " stiffness=1240481.8, damping=51078.7 }, { parent='x', child='y', kind='prismatic',"
+      " axis=[0,1,0], stiffness=1240481.8, damping=25539.3 } ]\naxle={ body='y' }\n";
+  for (int i = 0; i < 4; ++i) {
+    const double centre = 189.1 / 94.9;
+    const std::string inertia = number(1084.7 - 94.9 * centre * centre);
+    text += "[[subsystem]]\nname='b" + std::to_string(i) +
+            "'\nazimuth=" + number(0.5 * std::numbers::pi * i) +
+            "\nbody=[ { name='rod', kind='rigid', mass=94.9, center=[" + number(centre) +
+            ",0,0], inertia=[1," + inertia + ',' + inertia +
+            "] } ]\njoint=[ { name='lag', parent='hub', child='rod', kind='revolute',"
+            " axis=[0,0,1], offset=[0.3048,0,0]" +
+            more + " } ]\n";
+    if (i < missing) continue;
+    text += "loop=[ { name='damper', kind='distance', stiffness=1e-9, damping=" + number(tie) +
+            ", from={ body='rod', point=[" + number(a) + ",0,0] }, to={ subsystem='b" +
+            std::to_string((i + 1) % 4) + "', body='rod', point=[" + number(a) + ",0,0] } } ]\n";
+  }
+  return text + kOfASecond;
+}
+
 }  // namespace spoke::test

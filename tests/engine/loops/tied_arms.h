@@ -25,4 +25,9 @@ extern const std::vector<HubCase> kHubs;
 /// or couplings of what is behind "coupling".
 std::string make_tied_arms(const std::string& hub, bool is_apart, const std::string& tie, int ties);
 
+/// Hammond's rotor of 1974 on its hub, which is heavier along x, with a ring of dampers between the
+/// blades in place of his lag dampers, each of half their rate; `missing`: so many of the ring.
+/// `more`: keys of the hinges.
+std::string make_hammond(double speed, int missing, const std::string& more = "");
+
 }  // namespace spoke::test

@@ -26,6 +26,7 @@ namespace {
 
 using doctest::Approx;
 using test::kArms;
+using test::make_hammond;
 using test::make_tied_arms;
 using test::message_of;
 
@@ -77,35 +78,6 @@ std::map<std::string, double> list_joints(const EquilibriumResult& found, bool i
                     : joint.name] = joint.value;
     }
   return joints;
-}
-
-/// Hammond's rotor of 1974 with a ring of dampers between the blades in place of his lag dampers,
-/// each of half their rate; `missing`: so many of the ring. `more`: keys of the hinges.
-std::string make_hammond(double speed, int missing, const std::string& more = "") {
-  const double a = 1.5, lag = 4067.5, tie = 0.5 * lag / (a * a * 0.5);
-  using test::number;
-  std::string text =
-      "world='space'\n[hub]\ninertia=5\n[hub.drive]\nkind='constant'\nspeed=" + number(speed) +
-      "\n[support]\nbody=[ { name='x', kind='rigid', mass=4743, inertia=100 },"
-      " { name='y', kind='rigid', mass=3283.6, inertia=100 } ]\n"
-      "joint=[ { parent='ground', child='x', kind='prismatic', axis=[1,0,0],"
-      " stiffness=1240481.8, damping=51078.7 }, { parent='x', child='y', kind='prismatic',"
-      " axis=[0,1,0], stiffness=1240481.8, damping=25539.3 } ]\naxle={ body='y' }\n";
-  for (int i = 0; i < 4; ++i) {
-    const double centre = 189.1 / 94.9;
-    const std::string inertia = number(1084.7 - 94.9 * centre * centre);
-    text += "[[subsystem]]\nname='b" + std::to_string(i) + "'\nazimuth=" + number(0.5 * kPi * i) +
-            "\nbody=[ { name='rod', kind='rigid', mass=94.9, center=[" + number(centre) +
-            ",0,0], inertia=[1," + inertia + ',' + inertia +
-            "] } ]\njoint=[ { name='lag', parent='hub', child='rod', kind='revolute',"
-            " axis=[0,0,1], offset=[0.3048,0,0]" +
-            more + " } ]\n";
-    if (i < missing) continue;
-    text += "loop=[ { name='damper', kind='distance', stiffness=1e-9, damping=" + number(tie) +
-            ", from={ body='rod', point=[" + number(a) + ",0,0] }, to={ subsystem='b" +
-            std::to_string((i + 1) % 4) + "', body='rod', point=[" + number(a) + ",0,0] } } ]\n";
-  }
-  return text + test::kOfASecond;
 }
 
 /// A rotor of equal flexible blades on a driven hub, each tied to the next by a spring and damper.
