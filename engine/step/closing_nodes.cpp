@@ -72,6 +72,9 @@ void add_finish(const Assembly<World>& g) {
     graph::add_to(outputs, parts.rotors[r].hub, parts.rotors[r].records, support.rotations,
                   support.twists);
     supports.push_back(support.wrenches);
+    // Joints of the support may follow controllers, see update_rotors().
+    graph::add_to(supports,
+                  courses_of(static_cast<std::size_t>(c.system.rotors[r].subsystem), c.data));
     for (const auto member : {&BodyParts::coordinates, &BodyParts::accelerations})
       for (const PartId part : support.all(member)) supports.push_back(part);
   }

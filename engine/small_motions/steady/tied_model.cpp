@@ -110,26 +110,27 @@ std::string TiedModel::full_name(std::size_t g, const std::string& inner) const 
   return groups_[g].subsystems.size() == 1 ? SteadyModel::full_name(g, inner) : inner;
 }
 
+space::Pose TiedModel::pose_of_rotor(std::size_t rotor) const {
+  const HubState<Space>& base = base_->table().hub;
+  const HubState<Space>& hub = base_->table().rotors[rotor].hub;
+  const space::Rotation back = base.R.inverse();
+  return {back * space::Position(hub.p - base.p), back * hub.R};
+}
+
 space::Pose TiedModel::pose_of_hub(std::size_t subsystem) const {
-  const StepData<Space>& table = base_->table();
-  const int rotor = table.subsystems[subsystem].rotor;
-  if (rotor < 0) return {};
-  const HubState<Space>& hub = table.rotors[static_cast<std::size_t>(rotor)].hub;
-  const space::Rotation back = table.hub.R.inverse();
-  return {back * space::Position(hub.p - table.hub.p), back * hub.R};
+  const int rotor = base_->table().subsystems[subsystem].rotor;
+  return rotor < 0 ? space::Pose{} : pose_of_rotor(static_cast<std::size_t>(rotor));
 }
 
 std::vector<CarriedHub> TiedModel::carried_hubs(const std::vector<HubVector>&) const {
-  const System<Space>& system = base_->system();
   std::vector<CarriedHub> hubs;
-  for (std::size_t r = 0; r < system.rotors.size(); ++r) {
-    const SupportedRotor& rotor = system.rotors[r];
+  for (std::size_t r = 0; r < rotors_.size(); ++r) {
+    const SupportedRotor& rotor = base_->system().rotors[r];
+    const space::Pose pose = pose_of_rotor(r);
     CarriedHub& hub = hubs.emplace_back();
     hub.name = rotors_[r];
-    const HubState<Space>& state = base_->table().rotors[r].hub;
-    const HubState<Space>& of_base = base_->table().hub;
-    hub.place.p = of_base.R.inverse() * space::Position(state.p - of_base.p);
-    hub.place.axes = (of_base.R.inverse() * state.R).axes;
+    hub.place.p = pose.p;
+    hub.place.axes = pose.R.axes;
     hub.carrier = static_cast<std::size_t>(rotor.subsystem);
     hub.body = rotor.body;
     const RootLoad load = base_->root_loads(hub.carrier)[static_cast<std::size_t>(rotor.body)];

@@ -112,7 +112,8 @@ class TiedModel final : public SteadyModel {
   }
   /// Returns J of all members.
   std::vector<Eigen::MatrixXd> hub_motions(const Group& group);
-  /// Returns where the hub of a subsystem is, in the frame of the system's hub.
+  /// Return where the hub of a rotor, or of a subsystem, is in the frame of the system's hub.
+  space::Pose pose_of_rotor(std::size_t rotor) const;
   space::Pose pose_of_hub(std::size_t subsystem) const;
   template <class Vector>
   auto part(const Group& group, std::size_t member, Vector& vector) const {
