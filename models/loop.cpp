@@ -83,6 +83,7 @@ std::string_view name_of(LoopKind kind) {
 
 std::string_view name_of(Anchor::Frame frame) {
   if (frame == Anchor::Frame::axle) return "axle";
+  if (frame == Anchor::Frame::body) return "body";
   return frame == Anchor::Frame::hub ? "hub" : "mount";
 }
 

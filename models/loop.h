@@ -65,6 +65,10 @@ struct LoopPlace {
   /// Elsewhere, one of these: the number of the blade, from 1; the name of the subsystem.
   int blade = 0;
   std::string subsystem{};
+  /// Of a place on a body, or elsewhere: index of the anchor that moves against that place and
+  /// carries this one, whose `point` and `orientation` are in the anchor's frame; -1: none. It is
+  /// not given, but found of anchors on bodies when trees are built.
+  int moved_by = -1;
 };
 
 /// Springs and dampers of a bearing as matrices over the two directions across its axis, which need
@@ -114,8 +118,10 @@ struct ProgramAnchorMotion {
 struct Anchor {
   /// The frame in which it moves: the hub's; that of the mount, in which the hub turns about its
   /// axle; or, of a hub on a support, the one in which it turns there: the hub's frame at angle 0,
-  /// which moves with the body that carries the axle. What it takes up rests on that body.
-  enum class Frame { hub, mount, axle };
+  /// which moves with the body that carries the axle. What it takes up rests on that body. In
+  /// space also that of a body: of a rigid one its own, of a beam that of the section at a station,
+  /// of a solid that of an interface.
+  enum class Frame { hub, mount, axle, body };
 
   std::string name{};          ///< name, unlike that of any other anchor
   Frame frame = Frame::mount;  ///< frame in which its motion is given
@@ -125,12 +131,18 @@ struct Anchor {
   bool turns_with_hub = false;
   /// Motion of its frame.
   std::variant<spatial::MountMotion, ProgramAnchorMotion> motion{};
-  /// Number of the rotor whose hub or axle it is beside, see spatial::hub_of(); of the frame
-  /// `mount` 0.
+  /// Number of the rotor whose hub or axle it is beside, see spatial::hub_of(); of the frames
+  /// `mount` and `body` 0.
   int rotor = 0;
+  // Of the frame `body`.
+  std::string subsystem{};                       ///< whose body it is; empty: the support's
+  std::string body{};                            ///< name of the body
+  std::optional<double> station = std::nullopt;  ///< on a beam [m]; none: its tip
+  /// Interface of a solid; empty: the only one that does not carry its frame.
+  std::string interface {};
 };
 
-/// Returns "hub", "mount" or "axle".
+/// Returns "hub", "mount", "axle" or "body".
 SPOKE_EXPORT std::string_view name_of(Anchor::Frame frame);
 
 }  // namespace spoke

@@ -137,8 +137,10 @@ MarkerMotion SpatialModel::base_frame(double t) const {
 MarkerMotion SpatialModel::carrier_frame(int anchor, double t) const {
   MarkerMotion motion = calc_carrier_frame(context_, anchor, t);
   const spatial::Model& model = *scenario_.space;
-  const bool is_of_hub =
-      anchor >= 0 && model.anchors[static_cast<std::size_t>(anchor)].frame != Anchor::Frame::mount;
+  const Anchor::Frame frame =
+      anchor < 0 ? Anchor::Frame::mount : model.anchors[static_cast<std::size_t>(anchor)].frame;
+  if (frame == Anchor::Frame::body) return motion;
+  const bool is_of_hub = frame != Anchor::Frame::mount;
   // What a support stands on has the axes of the description.
   const int rotor = is_of_hub ? model.anchors[static_cast<std::size_t>(anchor)].rotor : 0;
   if (!model.support || is_of_hub)

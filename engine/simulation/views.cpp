@@ -11,6 +11,7 @@
 #include "engine/bodies/act/user_load/load_markers.h"
 #include "engine/bodies/kernels/kinematics.h"
 #include "engine/bodies/kernels/loops/anchor_motion.h"
+#include "engine/bodies/kernels/loops/loop_motion.h"
 #include "engine/bodies/kernels/loops/loop_readings.h"
 #include "engine/bodies/kernels/marker_motion.h"
 #include "engine/bodies/kernels/modal_damping.h"
@@ -40,9 +41,30 @@ HubState<World> find_carrier_hub(const SystemContext<World>& context, const Anch
                      : calc_hub_state(context.data);
 }
 
+/// Returns the motion of an anchor that moves against a body, as of the first loop that closes on
+/// it; none if no loop does.
+template <class World>
+std::optional<MarkerMotion> calc_on_body(const SystemContext<World>& context, int anchor,
+                                         double t) {
+  for (std::size_t i = 0; i < context.system.subsystems.size(); ++i)
+    for (const LoopModel& loop : context.system.subsystems[i].loops)
+      for (LoopPlaceModel place : {loop.from, loop.to}) {
+        if (!place.is_moved() || place.anchor != anchor) continue;
+        place.offset = {};
+        const HubState<World> own = *context.data.subsystems[i].hub;
+        const HubState<Space>& hub = hub_in_space(own);
+        const PlaceMotion in_hub = calc_place_motion(context.system, i, place, t, context.data);
+        const space::Twist velocity = hub.R * in_hub.twist;
+        return MarkerMotion{hub.p + hub.R * in_hub.p, (hub.R * in_hub.R).axes, linear(velocity),
+                            angular(velocity)};
+      }
+  return std::nullopt;
+}
+
 /// Returns the motion of an anchor, or of the mount (-1).
 template <class World>
 MarkerMotion calc_carrier(const SystemContext<World>& context, int anchor, double t) {
+  if (const auto on_body = calc_on_body(context, anchor, t)) return *on_body;
   LoopPlaceModel place;
   place.carrier = anchor < 0 ? LoopPlace::Carrier::mount : LoopPlace::Carrier::anchor;
   place.anchor = anchor;

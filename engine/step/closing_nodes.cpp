@@ -110,7 +110,7 @@ void add_finish(const Assembly<World>& g) {
         const double t = static_cast<double>(progress.completed) * step_size(c.integrator);
         update_rotors(c.system, t, c.data);
         record_rotors(c.system, t, progress.completed, c.data);
-        update_shared_loops(c.system, c.data);
+        update_shared_loops(c.system, t, c.data);
       });
 }
 

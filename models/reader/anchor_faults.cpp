@@ -74,13 +74,24 @@ Fault find_fault(const Anchor& anchor, const std::vector<Anchor>& before,
       first.add(
           {"name", "is \"" + anchor.name + "\" as another anchor's, expected a name of its own"});
   const bool is_of_hub = anchor.frame == Anchor::Frame::hub;
+  const bool is_of_body = anchor.frame == Anchor::Frame::body;
   if (in_plane && anchor.frame == Anchor::Frame::axle) first.add({"frame", kNoSupport});
+  if (in_plane && is_of_body)
+    first.add({"frame", "is \"" + anchor.body + "\", expected \"mount\" or \"hub\""});
   if (anchor.frame == Anchor::Frame::mount && !mount_fault.empty())
     first.add({"frame", mount_fault});
   if (is_of_hub && anchor.turns_with_hub)
     first.add({"turns_with_hub",
                "is true in the frame \"hub\", which turns with the hub itself; expected it only "
                "with frame = \"mount\" or \"axle\""});
+  if (is_of_body && anchor.turns_with_hub)
+    first.add({"turns_with_hub",
+               "is true, but the frame is that of a body, which turns with its own; expected it "
+               "only with frame = \"mount\" or \"axle\""});
+  if (is_of_body && anchor.rotor != 0)
+    first.add({"rotor",
+               "is not the first, but the frame is that of a body; expected none, or frame = "
+               "\"hub\" or \"axle\""});
   if (in_plane && anchor.rotor != 0)
     first.add({"rotor", "names a rotor in space, expected none in the plane"});
   if (anchor.frame == Anchor::Frame::mount && anchor.rotor != 0)

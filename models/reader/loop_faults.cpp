@@ -82,6 +82,7 @@ Fault find_body_fault(const LoopPlace& place, const LoopSurroundings& around) {
 /// Finds an anchor that does not move with what carries the bodies: the hub on a support, and the
 /// support, are on two sides of the axle.
 Fault find_frame_fault(const Anchor& anchor, const LoopSurroundings& around) {
+  if (anchor.frame == Anchor::Frame::body) return {};
   const bool is_of_mount = anchor.frame == Anchor::Frame::mount;
   const std::string found = "is \"" + anchor.name + "\", an anchor of the frame \"" +
                             std::string(name_of(anchor.frame)) + '"';

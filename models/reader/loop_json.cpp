@@ -81,6 +81,12 @@ Json to_json(const Anchor& anchor, bool in_plane) {
   Json json = {{"name", anchor.name},
                {"frame", name_of(anchor.frame)},
                {"turns_with_hub", anchor.turns_with_hub}};
+  if (anchor.frame == Anchor::Frame::body) {
+    json.set("frame", anchor.body);
+    if (!anchor.subsystem.empty()) json.set("subsystem", anchor.subsystem);
+    if (anchor.station) json.set("station", *anchor.station);
+    if (!anchor.interface.empty()) json.set("interface", anchor.interface);
+  }
   const auto& place = place_shape(in_plane);
   const auto& rotation = rotation_shape(in_plane);
   if (const auto* program = std::get_if<ProgramAnchorMotion>(&anchor.motion)) {

@@ -229,6 +229,31 @@ std::vector<Loop> read_loops(const TomlSection& parent, const LoopSurroundings& 
   return loops;
 }
 
+namespace {
+
+/// Reads the frame of an anchor: of a known name, or of a body, of which there may be any in space.
+void read_frame(const TomlSection& section, Anchor& anchor) {
+  const std::string frame = section.text("frame", std::string(name_of(Anchor::Frame::mount)));
+  for (const Anchor::Frame known : {Anchor::Frame::mount, Anchor::Frame::hub, Anchor::Frame::axle})
+    if (frame == name_of(known)) anchor.frame = known;
+  if (frame != name_of(anchor.frame)) {
+    anchor.frame = Anchor::Frame::body;
+    anchor.body = frame;
+  }
+  if (anchor.frame != Anchor::Frame::body) {
+    for (const char* key : {"subsystem", "station", "interface"})
+      if (section.has(key))
+        section.fail(key, "is given, but the frame is \"" + frame +
+                              "\", expected it only with the name of a body");
+    return;
+  }
+  anchor.subsystem = section.text("subsystem", "");
+  if (section.has("station")) anchor.station = section.number("station", kStation);
+  anchor.interface = section.text("interface", "");
+}
+
+}  // namespace
+
 std::vector<Anchor> read_anchors(const TomlSection& root, const std::string& mount_fault,
                                  const RotorReader& read_rotor) {
   const bool in_plane = !read_rotor;
@@ -238,6 +263,7 @@ std::vector<Anchor> read_anchors(const TomlSection& root, const std::string& mou
     if (!section.has("name")) section.fail("name", "is missing, expected a name");
     anchor.name = section.text("name", "");
     keys::read(section, keys::kAnchorRows, &anchor);
+    read_frame(section, anchor);
     if (read_rotor)
       anchor.rotor = read_rotor(section);
     else if (section.has("rotor"))

@@ -24,6 +24,11 @@ struct LoopPlaceModel {
   int handle = 0;   ///< its handle
   int anchor = -1;  ///< index of the anchor, if one carries it
   space::Pose offset;
+  /// Of a place of a body that an anchor moves: from the handle to the frame in which that does.
+  space::Pose base;
+
+  /// Whether an anchor moves it against the body that carries both.
+  bool is_moved() const { return carrier == LoopPlace::Carrier::body && anchor >= 0; }
 };
 
 /// The opening of a closure along one direction that it locks. With r the place of `from` and R its

@@ -180,6 +180,11 @@ class SubsystemMaker {
         static_cast<int>(made_.bodies[j].children.size()) + 1 +
         static_cast<int>(std::find(places.begin(), places.end(), &place) - places.begin());
     const space::Rotation back = frame_of(j).inverse();
+    if (place.is_moved) {
+      made.anchor = static_cast<int>(place.anchor);
+      made.base.R = back;
+      return made;
+    }
     // The handle of a rigid body is where the place is.
     const bool is_rigid = made_.bodies[j].body->rigid() != nullptr;
     made.offset = {is_rigid ? space::Position(space::Position::Zero()) : back * made.offset.p,
@@ -246,7 +251,8 @@ class SubsystemMaker {
     for (const int c : made.children)
       shape.outboard.emplace_back(body(static_cast<std::size_t>(c)).placement.position);
     for (const spatial::TreePlace* place : places_[j])
-      shape.outboard.emplace_back(place->placement.position);
+      shape.outboard.emplace_back(place->is_moved ? spatial::Vector(spatial::Vector::Zero())
+                                                  : place->placement.position);
     made.body = std::make_shared<const space::Body>(space::Body{std::move(shape), nullptr});
   }
 

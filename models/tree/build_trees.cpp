@@ -8,6 +8,7 @@
 
 #include "models/space/reference_curve.h"
 #include "models/space/rotation_vector.h"
+#include "models/tree/anchors_on_bodies.h"
 #include "models/tree/beam_cuts.h"
 #include "models/tree/beam_strain.h"
 #include "models/tree/drive_train.h"
@@ -145,6 +146,10 @@ class LoopBuilder {
                                    [&](const Anchor& a) { return a.name == place.name; });
       assert(at != anchors_.end());
       found.anchor = static_cast<std::size_t>(at - anchors_.begin());
+    }
+    if (place.moved_by >= 0) {
+      found.is_moved = true;
+      found.anchor = static_cast<std::size_t>(place.moved_by);
     }
     if (place.carrier == LoopPlace::Carrier::body)
       find_body(place, find_bodies(place.name), found);
@@ -394,7 +399,9 @@ Placement rotor_placement(const Hub& hub) {
   return {Vector::Zero(), space::smallest_rotation(Vector::UnitZ(), axis).axes};
 }
 
-std::vector<Tree> build_trees(const Model& model) {
+std::vector<Tree> build_trees(const Model& given) {
+  const std::optional<Model> resolved = put_on_bodies_of_anchors(given);
+  const Model& model = resolved ? *resolved : given;
   std::vector<Tree> trees;
   for (std::size_t i = 0; i < model.blades.size(); ++i)
     trees.push_back(build_tree(model.blades[i], model, i + 1));

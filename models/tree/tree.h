@@ -59,6 +59,8 @@ struct TreePlace {
   /// The place's frame in that of its body, its node or its interface, of the hub, the mount or the
   /// anchor. In these it stands where the azimuth of the blade has turned it about the hub's axis.
   Placement placement{};
+  /// Whether `anchor` moves against the body that carries it: `placement` is then in its frame.
+  bool is_moved = false;
 };
 
 /// A loop of a tree.

@@ -149,8 +149,11 @@ void SteadyScene::put_anchors(const Scenario& scenario, const EquilibriumResult&
                              ? result.speed
                              : result.rotors[static_cast<std::size_t>(anchor.rotor)].speed;
     const bool is_averaged = anchor.turns_with_hub && speed != 0.0;
-    first_[static_cast<std::size_t>(carrier.group)] =
-        scene::calc_last_place(anchor, is_averaged ? &axis : nullptr);
+    spatial::Placement& place = first_[static_cast<std::size_t>(carrier.group)];
+    const spatial::Placement last = scene::calc_last_place(anchor, is_averaged ? &axis : nullptr);
+    place = anchor.frame == Anchor::Frame::body
+                ? place * inverse(scene::calc_first_place(anchor)) * last
+                : last;
   }
 }
 

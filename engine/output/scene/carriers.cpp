@@ -46,7 +46,7 @@ void add_carriers(const std::vector<Anchor>& anchors, const std::vector<const Lo
                   Scene& scene) {
   const bool any = std::any_of(loops.begin(), loops.end(), [](const Loop* loop) {
     return loop->to.carrier == LoopPlace::Carrier::mount ||
-           loop->to.carrier == LoopPlace::Carrier::anchor;
+           loop->to.carrier == LoopPlace::Carrier::anchor || loop->to.moved_by >= 0;
   });
   if (!any) return;
   for (int anchor = -1; anchor < static_cast<int>(anchors.size()); ++anchor)

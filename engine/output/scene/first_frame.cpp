@@ -112,17 +112,50 @@ Placement find_supported_hub(const spatial::Model& model, int rotor, const Place
          inverse(rotor_placement(hub_of(model, rotor)));
 }
 
+/// A place that an anchor moves on a body of a tree.
+struct MovedPlace {
+  std::size_t tree = 0;
+  const spatial::TreePlace* place = nullptr;  ///< null: there is none
+};
+
+/// Returns the first place that an anchor moves.
+MovedPlace find_moved(const std::vector<Tree>& trees, int anchor) {
+  const auto is_it = [anchor](const spatial::TreePlace& place) {
+    return place.is_moved && std::cmp_equal(place.anchor, anchor);
+  };
+  for (std::size_t i = 0; i < trees.size(); ++i) {
+    for (const spatial::TreeLoop& loop : trees[i].loops)
+      if (is_it(loop.to)) return {i, &loop.to};
+    for (const spatial::LoopEnd& end : trees[i].ends)
+      if (end.has_place() && is_it(end.place)) return {i, &end.place};
+  }
+  return {};
+}
+
+/// Returns where an anchor on a body begins to move, in the frame of what carries the tree.
+Placement find_start_on_body(const Tree& tree, const spatial::TreePlace& place) {
+  const auto j = static_cast<std::size_t>(place.body);
+  Placement at = calc_motions(tree)[j] * calc_placements(tree)[j];
+  if (const auto* part = std::get_if<spatial::FlexibleBody>(&tree.bodies[j].shape))
+    at = at * Placement{(part->nodes[place.node] - part->nodes.front()) * Vector::UnitX(),
+                        spatial::Tensor::Identity()};
+  return at;
+}
+
 /// Places the groups of mount and anchors. `mount`: the mount in the frame of the hub at its first
 /// angle.
-void place_carriers(const std::vector<Anchor>& anchors, const Placement& mount, const Scene& scene,
-                    Frame& frame) {
+void place_carriers(const std::vector<Anchor>& anchors, const std::vector<Tree>& trees,
+                    const Placement& mount, const Scene& scene, Frame& frame) {
   for (const Carrier& carrier : scene.carriers) {
     Placement& group = frame.groups[static_cast<std::size_t>(carrier.group)];
     group = mount;
     if (carrier.anchor < 0) continue;
     const Anchor& anchor = anchors[static_cast<std::size_t>(carrier.anchor)];
     Placement frame_of = mount;
-    if (anchor.frame != Anchor::Frame::mount)
+    if (const MovedPlace moved = find_moved(trees, carrier.anchor); moved.place)
+      frame_of = frame.groups[static_cast<std::size_t>(scene.roots[moved.tree])] *
+                 find_start_on_body(trees[moved.tree], *moved.place);
+    else if (anchor.frame != Anchor::Frame::mount)
       frame_of = frame.groups[static_cast<std::size_t>(group_of_hub(scene, carrier))];
     group = frame_of * calc_first_place(anchor);
   }
@@ -136,7 +169,7 @@ Frame make_first_frame(const Scenario& scenario, const Scene& scene) {
   frame.displacements.assign(scene.nodes.size(), Vector::Zero());
   frame.rotations = frame.displacements;
   if (!scenario.space) {
-    place_carriers(scenario.rotor.anchors, {}, scene, frame);
+    place_carriers(scenario.rotor.anchors, {}, {}, scene, frame);
     return frame;
   }
   const std::vector<Tree> trees = build_trees(*scenario.space);
@@ -156,13 +189,13 @@ Frame make_first_frame(const Scenario& scenario, const Scene& scene) {
   for (std::size_t i = 0; i < trees.size(); ++i)
     if (scene.roots[i] == 0) add(i);
   if (scene.support < 0) {
-    place_carriers(scenario.space->anchors, base, scene, frame);
+    place_carriers(scenario.space->anchors, trees, base, scene, frame);
     return frame;
   }
   frame.groups[next++] = base;
   for (std::size_t r = 1; r < scene.hubs.size(); ++r)
     frame.groups[next++] = find_supported_hub(*scenario.space, static_cast<int>(r), base, trees);
-  place_carriers(scenario.space->anchors, base, scene, frame);
+  place_carriers(scenario.space->anchors, trees, base, scene, frame);
   add(static_cast<std::size_t>(scene.support));
   for (std::size_t i = 0; i < trees.size(); ++i)
     if (scene.roots[i] > scene.base_group) add(i);

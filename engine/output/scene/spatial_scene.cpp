@@ -337,6 +337,10 @@ class SubsystemScene {
   };
 
   LoopEnd find_end(const spatial::TreePlace& place) {
+    if (place.is_moved)
+      return {{-1, 0.0, place.placement.position,
+               find_group(scene_, LoopPlace::Carrier::anchor, static_cast<int>(place.anchor))},
+              place.placement.rotation};
     if (place.carrier != LoopPlace::Carrier::body)
       return {{-1, 0.0, place.placement.position,
                place.carrier == LoopPlace::Carrier::hub

@@ -14,6 +14,7 @@
 #include "models/error.h"
 #include "models/space/space.h"
 #include "models/system/spatial_system.h"
+#include "models/tree/anchors_on_bodies.h"
 #include "models/tree/tree.h"
 
 namespace spoke::steady {
@@ -86,8 +87,10 @@ void hold_drives(spatial::Model& model) {
 
 }  // namespace
 
-std::string find_tie_of_hubs(const spatial::Model& model) {
-  if (!model.support) return {};
+std::string find_tie_of_hubs(const spatial::Model& given) {
+  if (!given.support) return {};
+  const std::optional<spatial::Model> put = spatial::put_on_bodies_of_anchors(given);
+  const spatial::Model& model = put ? *put : given;
   for (std::size_t i = 0; i < model.anchors.size(); ++i)
     if (model.anchors[i].frame == Anchor::Frame::axle)
       return "anchor." + std::to_string(i + 1) + ".frame: is \"axle\", beside the hub";

@@ -106,7 +106,7 @@ void SteadySystem<World>::evaluate_tied(const std::vector<std::size_t>& group,
     calc_frame_accelerations(model.subsystems[group[m]], data(group[m]));
     place_rotors_on(model, group[m], context_.data);
   }
-  calc_shared_motion(model, {}, context_.data);
+  calc_shared_motion(model, 0.0, {}, context_.data);
   for (std::size_t m = 0; m < group.size(); ++m)
     put_loops(model, group[m], states[m], rows_[group[m]], context_.data, responses[m]);
   hand_out(group, model, context_.data, responses);

@@ -67,6 +67,13 @@ void add_driven(const SystemContext<World>& context, std::size_t subsystem, doub
   }
 }
 
+/// Returns the anchor that moves a place of a loop against a body; -1: none does. Of a loop between
+/// subsystems the share at the end of which it is has it as `from`.
+int anchor_of(const LoopModel& loop) {
+  if (loop.from.is_moved()) return loop.from.anchor;
+  return loop.to.is_moved() ? loop.to.anchor : -1;
+}
+
 /// Adds what anchors and mount do, at times within the run.
 template <class World>
 void add_places(SystemContext<World>& context, std::size_t subsystem, double duration,
@@ -75,7 +82,7 @@ void add_places(SystemContext<World>& context, std::size_t subsystem, double dur
   const std::vector<LoopModel>& loops = context.system.subsystems[subsystem].loops;
   const bool has_any = std::any_of(loops.begin(), loops.end(), [](const LoopModel& loop) {
     return loop.to.carrier == LoopPlace::Carrier::anchor ||
-           loop.to.carrier == LoopPlace::Carrier::mount;
+           loop.to.carrier == LoopPlace::Carrier::mount || anchor_of(loop) >= 0;
   });
   if (!has_any) return;
   double& time = context.data.subsystems[subsystem].progress->control.time;
@@ -120,10 +127,11 @@ bool is_at_rest(const System<World>& system, double duration) {
 
 template <class World>
 bool may_be_moved(const System<World>& system, const Subsystem<World>& subsystem) {
-  for (const LoopModel& loop : subsystem.loops)
-    if (loop.to.carrier == LoopPlace::Carrier::anchor &&
-        moves(system.anchors[static_cast<std::size_t>(loop.to.anchor)]))
-      return true;
+  for (const LoopModel& loop : subsystem.loops) {
+    const int anchor =
+        loop.to.carrier == LoopPlace::Carrier::anchor ? loop.to.anchor : anchor_of(loop);
+    if (anchor >= 0 && moves(system.anchors[static_cast<std::size_t>(anchor)])) return true;
+  }
   if constexpr (tree::kHasJointCoordinates<World>)
     for (const TreeBody<World>& body : subsystem.bodies) {
       if (body.joint.course.control >= 0) return true;

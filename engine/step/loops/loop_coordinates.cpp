@@ -147,7 +147,7 @@ void LoopKinematics<World>::evaluate() {
       place_rotor(context_.system, static_cast<std::size_t>(rotor), t, false, context_.data);
   }
   for (const SharedLoop* loop : shared_)
-    calc_shared_loop(context_.system, *loop, {}, context_.data);
+    calc_shared_loop(context_.system, *loop, t, {}, context_.data);
 }
 
 template <class World>

@@ -77,7 +77,8 @@ void add_shared_loop_motion(const Assembly<World>& g) {
   g.builder.add_node(g.label(stages::kSharedLoopMotion), reads(g.parts().progress, inputs),
                      updates(outputs), unless_halted(c.data.progress[0], [&c]() noexcept {
                        const PassControl& control = c.data.progress[0].control;
-                       calc_shared_motion(c.system, gains_of(c.integrator.method, control), c.data);
+                       calc_shared_motion(c.system, control.time,
+                                          gains_of(c.integrator.method, control), c.data);
                      }));
 }
 

@@ -124,23 +124,32 @@ inline constexpr std::array kAnchorRows{
     by_hand("name", kText, "unlike that of any other anchor")
         .required()
         .within("letters, digits, `_`, `-`, `.`; up to 64"),
-    choice<&Anchor::frame, Anchor::Frame::mount, Anchor::Frame::hub, Anchor::Frame::axle>(
-        "frame",
+    by_hand(
+        "frame", kText,
         "in which it moves: `\"mount\"`, in which the hub turns, or `\"hub\"`; on a "
         "[support](#support-what-carries-the-axle) `\"axle\"`, the hub's frame at angle 0, which "
-        "moves with the body that carries the axle")
+        "moves with the body that carries the axle; in space also the name of a body: the frame "
+        "of a rigid one, of a beam's section, or of a solid's interface")
+        .from("`\"mount\"`")
         .within(
             "`\"hub\"` where the hub is free; `\"axle\"` with a drive that prescribes the angle"),
+    by_hand("subsystem", kText, "of a body: name of the subsystem whose it is, or `\"support\"`")
+        .from("`\"support\"`"),
+    by_hand("station", kNumber, kStation, "of a beam: where its section is; it makes a node there")
+        .from("the tip")
+        .within("0 to its length"),
+    by_hand("interface", kText, "of a solid: name of one of its interfaces")
+        .from("the second, where there are two"),
     flag<&Anchor::turns_with_hub>(
         "turns_with_hub",
         "whether it turns with the hub besides, by the hub's angle about its own axis, which its "
         "motion tilts and moves: the rotating part of a swashplate")
-        .within("not with `frame = \"hub\"`"),
+        .within("with `frame = \"mount\"` or `\"axle\"`"),
     by_hand("rotor", kText,
             "in space, name of the [rotor](#rotor-several-rotors) whose hub or axle the frame is "
             "of")
         .from("the first")
-        .within("not with `frame = \"mount\"`"),
+        .within("with `frame = \"hub\"` or `\"axle\"`"),
     by_hand("motion", kTable, "a table, see below").from("at rest at the frame's origin")};
 
 inline constexpr std::array kAnchorMotionRows{

@@ -107,6 +107,34 @@ Fault find_tree_fault(const TreeName& name, const Model& model) {
                                 : find_subsystem_fault(name.subsystem, model);
 }
 
+Fault find_anchor_body_fault(const Model& model) {
+  for (std::size_t i = 0; i < model.anchors.size(); ++i) {
+    const Anchor& anchor = model.anchors[i];
+    if (anchor.frame != Anchor::Frame::body) continue;
+    LoopPlace place;
+    place.name = anchor.body;
+    place.station = anchor.station;
+    place.interface = anchor.interface;
+    place.subsystem = anchor.subsystem.empty() ? std::string(kSupportName) : anchor.subsystem;
+    const std::string key = "anchor." + std::to_string(i + 1);
+    if (anchor.subsystem.empty() && !model.support)
+      return {key + ".frame", "is \"" + anchor.body +
+                                  "\", expected \"mount\", \"hub\", or the name of a body along "
+                                  "with subsystem"};
+    if (Fault fault = find_tree_fault({0, place.subsystem}, model)) return fault.within(key);
+    LoopSurroundings around;
+    for (const Subsystem& subsystem : model.subsystems)
+      if (subsystem.name == place.subsystem) around = surroundings_of(subsystem, model);
+    if (around.find(place) == nullptr) {
+      std::vector<std::string_view> names;
+      for (const LoopBody& body : around.bodies) names.push_back(body.name);
+      return {key + ".frame", describe_unknown(anchor.body, names)};
+    }
+    if (Fault fault = find_fault(place, around)) return fault.within(key);
+  }
+  return {};
+}
+
 Fault find_loop_end_fault(const Model& model) {
   return find_in_trees(model, [&model](const auto& owner, const TreeName& name) {
     return find_ends_fault(owner.loops, model, name);

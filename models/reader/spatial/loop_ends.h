@@ -39,6 +39,9 @@ Fault find_in_trees(const Model& model, const Find& find) {
 /// Finds a blade or a subsystem, one of the two, that is not there.
 Fault find_tree_fault(const TreeName& name, const Model& model);
 
+/// Finds the first anchor of the frame of a body that is not there: "anchor.2.frame".
+Fault find_anchor_body_fault(const Model& model);
+
 /// Finds the first fault of such an end, "blades.2.loop.1.to.blade".
 Fault find_loop_end_fault(const Model& model);
 

@@ -248,7 +248,8 @@ void add_model(const Model& model, Json& json) {
   }
   for (const Anchor& anchor : model.anchors) {
     Json made = spoke::to_json(anchor, false);
-    if (anchor.frame != Anchor::Frame::mount) add_rotor_of(anchor.rotor, model, made);
+    if (anchor.frame == Anchor::Frame::hub || anchor.frame == Anchor::Frame::axle)
+      add_rotor_of(anchor.rotor, model, made);
     json.append("anchor", std::move(made));
   }
   json.set("gravity", {{"acceleration", to_json(model.gravity)}, {"ramp", model.gravity_ramp}});

@@ -251,6 +251,7 @@ Model read_model(const TomlSection& root, const std::string& folder) {
       model.blades.push_back(std::move(blade));
   resolve_next_blades(model);
   read_trees(root, rotors, folder, model);
+  if (const Fault fault = find_anchor_body_fault(model)) root.fail_at(fault.path, fault.text);
   if (const Fault fault = find_loop_end_fault(model)) fail_at_end(root, rotors, fault);
   if (const Fault fault = find_coupling_across_fault(model)) fail_at_end(root, rotors, fault);
   if (model.blades.empty() && model.subsystems.empty() && !moves_alone(model.hub))

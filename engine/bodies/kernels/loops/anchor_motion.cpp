@@ -150,6 +150,19 @@ MountFrame calc_mount_frame(const System<Space>& system, const HubState<Space>& 
   return mount;
 }
 
+CarriedPlace calc_moved_place(const AnchorModel& anchor, const LoopPlaceModel& model,
+                              const space::Pose& handle, const space::Twist& twist,
+                              double t) noexcept {
+  assert(model.is_moved());
+  const space::FrameCourse course =
+      space::move_on(space::calc_anchor_course(anchor, t), model.offset);
+  const space::Rotation R = handle.R * model.base.R;
+  CarriedPlace place;
+  space::carry({R, handle.p, twist, space::Twist::Zero()}, course, place);
+  place.own = space::make_twist(R * course.v, R * course.w);
+  return place;
+}
+
 template <class World>
 CarriedPlace calc_carried_place(const System<World>& system, const HubState<World>& hub,
                                 const DriveMotion* axle, const LoopPlaceModel& place,

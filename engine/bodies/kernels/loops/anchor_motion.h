@@ -33,6 +33,8 @@ struct CarriedPlace {
   PlaceMotion motion;
   space::Twist acceleration = space::Twist::Zero();  ///< [m/s^2, rad/s^2]
   bool is_on_hub = false;                            ///< the hub carries it; else the mount
+  /// Of a place that an anchor moves against a body: its own motion against that, in H.
+  space::Twist own = space::Twist::Zero();  ///< [m/s, rad/s]
   /// Of an anchor of the mount or the axle that turns with the hub: unit vector of the axis about
   /// which it does, in H; else zero.
   space::Angular pivot = space::Angular::Zero();
@@ -48,6 +50,11 @@ inline const HubState<Space>& hub_in_space(const HubState<Space>& hub) { return 
 MountFrame calc_mount_frame(const System<Plane>& system, const HubState<Plane>& hub, double t);
 MountFrame calc_mount_frame(const System<Space>& system, const HubState<Space>& hub, double t);
 
+/// Calculates a place that an anchor moves against a body at time t [s], by the handle's place and
+/// rotation to H, and its twist in H. Its acceleration is that at zero of the handle.
+CarriedPlace calc_moved_place(const AnchorModel& anchor, const LoopPlaceModel& place,
+                              const space::Pose& handle, const space::Twist& twist,
+                              double t) noexcept;
 /// Calculates a place on the hub, the mount or an anchor at time t [s]. `axle`: of a hub on a
 /// support, its turn about the axle, which the drive prescribes where an anchor stands beside it.
 template <class World>

@@ -22,7 +22,7 @@ const space::Twist& to_world(const space::Twist& twist, const Space&) { return t
 struct Place {
   PlaceMotion motion;
   LoopHandle handle;     ///< if a body carries it
-  CarriedPlace carried;  ///< else
+  CarriedPlace carried;  ///< else, or if an anchor moves it against that body
 };
 
 template <class World>
@@ -35,6 +35,13 @@ Place find_place(const System<World>& system, const LoopPlaceModel& model, doubl
     return place;
   }
   place.handle = calc_loop_handle(data, model.body, model.handle);
+  if (model.is_moved()) {
+    const AnchorModel& anchor = system.anchors[static_cast<std::size_t>(model.anchor)];
+    place.carried =
+        calc_moved_place(anchor, model, {place.handle.p, place.handle.R}, place.handle.twist, t);
+    place.motion = place.carried.motion;
+    return place;
+  }
   const space::Position r = place.handle.R * model.offset.p;
   place.motion.p = place.handle.p + r;
   place.motion.R = place.handle.R * model.offset.R;
@@ -65,13 +72,13 @@ struct SharedPlaces {
 };
 
 template <class World>
-SharedPlaces find_places(const System<World>& system, const SharedLoop& loop,
+SharedPlaces find_places(const System<World>& system, const SharedLoop& loop, double t,
                          const StepData<World>& data) {
   const LoopAt& at_end = loop.ends.front();
   const auto own = static_cast<std::size_t>(loop.own.subsystem);
   const auto end = static_cast<std::size_t>(at_end.subsystem);
-  const auto place_of = [&](std::size_t i, int k) {  // on bodies, which time alone does not move
-    return find_place(system, system.subsystems[i].loops[static_cast<std::size_t>(k)].from, 0.0,
+  const auto place_of = [&](std::size_t i, int k) {
+    return find_place(system, system.subsystems[i].loops[static_cast<std::size_t>(k)].from, t,
                       data.subsystems[i]);
   };
   SharedPlaces places{place_of(own, loop.own.loop), place_of(end, at_end.loop), {}};
@@ -82,6 +89,8 @@ SharedPlaces find_places(const System<World>& system, const SharedLoop& loop,
   Place& to = places.to;
   to.motion = {p + R * to.motion.p, R * to.motion.R, R * to.motion.twist};
   to.handle = {p + R * to.handle.p, R * to.handle.R, R * to.handle.twist};
+  to.carried.acceleration = R * to.carried.acceleration;
+  to.carried.own = R * to.carried.own;
   places.to_own = R;
   return places;
 }
@@ -90,6 +99,14 @@ SharedPlaces find_places(const System<World>& system, const SharedLoop& loop,
 space::Position centripetal_of(const Place& place) {
   const space::Angular w = angular(place.handle.twist);
   return cross(w, cross(w, space::Position(place.motion.p - place.handle.p)));
+}
+
+/// Returns the part of the acceleration of a row that a place `to` on a body has besides that of
+/// its handle, for the unit force at p.
+double known_of_body(bool is_moved, const space::Twist& unit, const space::Position& p,
+                     const Place& to) {
+  if (!is_moved) return -linear(unit).dot(centripetal_of(to));
+  return -translate(space::Position(p - to.motion.p), unit).dot(to.carried.acceleration);
 }
 
 /// Sets the wrenches of a row's unit force on bodies and hub. Returns the part of the row's
@@ -107,7 +124,9 @@ double set_unit_force(const LoopModel& loop, const space::Twist& unit, const Pla
   const double of_from = linear(unit).dot(centripetal_of(from));
   if (loop.to.carrier == LoopPlace::Carrier::body) {
     state.to = -turn_to_body(data, loop.to.body, translate(space::Position(p - to.handle.p), unit));
-    return of_from - linear(unit).dot(centripetal_of(to));
+    if (loop.to.is_moved())
+      state.given_rate = -translate(space::Position(p - to.motion.p), unit).dot(to.carried.own);
+    return of_from + known_of_body(loop.to.is_moved(), unit, p, to);
   }
   const space::Twist on_place = -translate(space::Position(p - to.motion.p), unit);
   double known = of_from + on_place.dot(to.carried.acceleration);
@@ -259,7 +278,7 @@ LoopPlaces calc_place_motions(const System<World>& system, std::size_t i, const 
     return {calc_place_motion(system, i, loop.from, t, data),
             calc_place_motion(system, i, loop.to, t, data)};
   const SharedPlaces places =
-      find_places(system, system.shared_loops[static_cast<std::size_t>(loop.shared)], data);
+      find_places(system, system.shared_loops[static_cast<std::size_t>(loop.shared)], t, data);
   return {places.from.motion, places.to.motion};
 }
 
@@ -374,7 +393,7 @@ void calc_shared_coupling(const System<World>& system, const SharedLoop& shared,
 }  // namespace
 
 template <class World>
-void calc_shared_loop(const System<World>& system, const SharedLoop& shared,
+void calc_shared_loop(const System<World>& system, const SharedLoop& shared, double t,
                       const ClosureGains& gains, StepData<World>& table) noexcept {
   const LoopModel& loop = model_of(system, shared.own);
   for (const SharedLoop::OnHub& at : shared.on_hubs) clear_on_hub(at, loop.rows.size(), table);
@@ -386,7 +405,7 @@ void calc_shared_loop(const System<World>& system, const SharedLoop& shared,
   const LoopModel& share = model_of(system, at_end);
   SubsystemData<World>& own = table.subsystems[static_cast<std::size_t>(shared.own.subsystem)];
   SubsystemData<World>& end = table.subsystems[static_cast<std::size_t>(at_end.subsystem)];
-  const auto [from, to, to_own] = find_places(system, shared, table);
+  const auto [from, to, to_own] = find_places(system, shared, t, table);
   TwistOf<World> of_from = TwistOf<World>::Zero(), of_to = of_from;  // by the last iterate
   if (gains.position > 0.0) {
     of_from = calc_loop_acceleration(own, loop.from.body, loop.from.handle);
@@ -405,8 +424,11 @@ void calc_shared_loop(const System<World>& system, const SharedLoop& shared,
     shares[r].from = -turn_to_body(
         end, share.from.body,
         to_own.inverse() * space::Twist(translate(space::Position(p - to.handle.p), motion.unit)));
-    const double known =
-        linear(motion.unit).dot(centripetal_of(from)) - linear(motion.unit).dot(centripetal_of(to));
+    const double known = linear(motion.unit).dot(centripetal_of(from)) +
+                         known_of_body(share.from.is_moved(), motion.unit, p, to);
+    if (share.from.is_moved())
+      rows[r].given_rate =
+          -translate(space::Position(p - to.motion.p), motion.unit).dot(to.carried.own);
     set_target(loop.rows[r], own.loops.use[first + r], motion, gains, known,
                rows[r].from.dot(of_from) + shares[r].from.dot(of_to), rows[r]);
   }
@@ -414,9 +436,10 @@ void calc_shared_loop(const System<World>& system, const SharedLoop& shared,
 }
 
 template <class World>
-void calc_shared_motion(const System<World>& system, const ClosureGains& gains,
+void calc_shared_motion(const System<World>& system, double t, const ClosureGains& gains,
                         StepData<World>& table) noexcept {
-  for (const SharedLoop& loop : system.shared_loops) calc_shared_loop(system, loop, gains, table);
+  for (const SharedLoop& loop : system.shared_loops)
+    calc_shared_loop(system, loop, t, gains, table);
 }
 
 template <class World>
@@ -436,14 +459,14 @@ SharedMotionParts parts_of_shared_motion(bool has_implicit, const StepData<World
 }
 
 template <class World>
-void update_shared_loops(const System<World>& system, StepData<World>& data) noexcept {
+void update_shared_loops(const System<World>& system, double t, StepData<World>& data) noexcept {
   for (const int i : data.shared_loops.visited) {
     const auto index = static_cast<std::size_t>(i);
     SubsystemData<World>& own = data.subsystems[index];
     update_kinematics(system.subsystems[index], own);
     calc_poses(system.subsystems[index], own, own.loops.poses);
   }
-  calc_shared_motion(system, {}, data);
+  calc_shared_motion(system, t, {}, data);
 }
 
 template <class World>
@@ -475,12 +498,12 @@ template PlaceMotion calc_place_motion(const System<Plane>&, std::size_t, const 
                                        double, const StepData<Plane>&);
 template LoopPlaces calc_place_motions(const System<Plane>&, std::size_t, const LoopModel&, double,
                                        const StepData<Plane>&);
-template void calc_shared_loop(const System<Plane>&, const SharedLoop&, const ClosureGains&,
+template void calc_shared_loop(const System<Plane>&, const SharedLoop&, double, const ClosureGains&,
                                StepData<Plane>&) noexcept;
-template void calc_shared_motion(const System<Plane>&, const ClosureGains&,
+template void calc_shared_motion(const System<Plane>&, double, const ClosureGains&,
                                  StepData<Plane>&) noexcept;
 template SharedMotionParts parts_of_shared_motion(bool, const StepData<Plane>&);
-template void update_shared_loops(const System<Plane>&, StepData<Plane>&) noexcept;
+template void update_shared_loops(const System<Plane>&, double, StepData<Plane>&) noexcept;
 template void calc_loop_motion(const System<Plane>&, std::size_t, double, const ClosureGains&,
                                StepData<Plane>&) noexcept;
 template PartList parts_of_loop_motion(std::size_t, bool, const StepData<Plane>&);
@@ -490,12 +513,12 @@ template PlaceMotion calc_place_motion(const System<Space>&, std::size_t, const 
                                        double, const StepData<Space>&);
 template LoopPlaces calc_place_motions(const System<Space>&, std::size_t, const LoopModel&, double,
                                        const StepData<Space>&);
-template void calc_shared_loop(const System<Space>&, const SharedLoop&, const ClosureGains&,
+template void calc_shared_loop(const System<Space>&, const SharedLoop&, double, const ClosureGains&,
                                StepData<Space>&) noexcept;
-template void calc_shared_motion(const System<Space>&, const ClosureGains&,
+template void calc_shared_motion(const System<Space>&, double, const ClosureGains&,
                                  StepData<Space>&) noexcept;
 template SharedMotionParts parts_of_shared_motion(bool, const StepData<Space>&);
-template void update_shared_loops(const System<Space>&, StepData<Space>&) noexcept;
+template void update_shared_loops(const System<Space>&, double, StepData<Space>&) noexcept;
 template void calc_loop_motion(const System<Space>&, std::size_t, double, const ClosureGains&,
                                StepData<Space>&) noexcept;
 template PartList parts_of_loop_motion(std::size_t, bool, const StepData<Space>&);

@@ -77,14 +77,14 @@ void calc_loop_motion(const System<World>& system, std::size_t i, double t,
 template <class World>
 PartList parts_of_loop_motion(std::size_t i, bool has_implicit, const StepData<World>& data);
 
-/// Sets the states of the rows of a loop between subsystems, and of its shares, behind those of the
-/// other loops of all that it visits.
+/// Sets the states of the rows of a loop between subsystems, and of its shares, at time t [s],
+/// behind those of the other loops of all that it visits.
 template <class World>
-void calc_shared_loop(const System<World>& system, const SharedLoop& loop,
+void calc_shared_loop(const System<World>& system, const SharedLoop& loop, double t,
                       const ClosureGains& gains, StepData<World>& data) noexcept;
 /// Sets those of all such loops.
 template <class World>
-void calc_shared_motion(const System<World>& system, const ClosureGains& gains,
+void calc_shared_motion(const System<World>& system, double t, const ClosureGains& gains,
                         StepData<World>& data) noexcept;
 /// The parts that they depend on, and those that are set; `has_implicit`: whether any pass is
 /// implicit.
@@ -97,7 +97,7 @@ SharedMotionParts parts_of_shared_motion(bool has_implicit, const StepData<World
 /// Sets them at the end of a step, with the motion of all subsystems that they visit, by the
 /// coordinates in the table, as update_loops() does for other loops.
 template <class World>
-void update_shared_loops(const System<World>& system, StepData<World>& data) noexcept;
+void update_shared_loops(const System<World>& system, double t, StepData<World>& data) noexcept;
 
 /// Sets them at the end of a step, if the subsystem has loops, by the coordinates in the table: the
 /// last pass of an implicit step leaves them one correction behind, see update_kinematics().
