@@ -483,12 +483,17 @@ def place(*, body=None, anchor=None, station=None, point=None, orientation=None,
     return _given(locals())
 
 
-def anchor(*, name, frame=None, turns_with_hub=None, rotor=None, motion=None):
+def anchor(*, name, frame=None, subsystem=None, station=None, interface=None, turns_with_hub=None,
+           rotor=None, motion=None):
     """A frame whose motion is prescribed, for loops to close on.
 
     name: unlike that of any other anchor
     frame: in which it moves: "mount", in which the hub turns, or "hub"; on a support "axle", the
-        hub's frame at angle 0, which moves with the body that carries the axle
+        hub's frame at angle 0, which moves with the body that carries the axle; in space also the
+        name of a body: the frame of a rigid one, of a beam's section, or of a solid's interface
+    subsystem: of a body: name of the subsystem whose it is, or "support"
+    station: of a beam: where its section is; it makes a node there [m]
+    interface: of a solid: name of one of its interfaces
     turns_with_hub: whether it turns with the hub besides, by the hub's angle about its own axis,
         which its motion tilts and moves: the rotating part of a swashplate
     rotor: in space, name of the rotor whose hub or axle the frame is of

@@ -118,9 +118,10 @@ Fault find_anchor_body_fault(const Model& model) {
     place.subsystem = anchor.subsystem.empty() ? std::string(kSupportName) : anchor.subsystem;
     const std::string key = "anchor." + std::to_string(i + 1);
     if (anchor.subsystem.empty() && !model.support)
-      return {key + ".frame", "is \"" + anchor.body +
-                                  "\", expected \"mount\", \"hub\", or the name of a body along "
-                                  "with subsystem"};
+      return {key + ".frame",
+              "is \"" + anchor.body +
+                  "\", expected \"mount\", \"hub\", \"axle\", or the name of a body "
+                  "along with subsystem"};
     if (Fault fault = find_tree_fault({0, place.subsystem}, model)) return fault.within(key);
     LoopSurroundings around;
     for (const Subsystem& subsystem : model.subsystems)

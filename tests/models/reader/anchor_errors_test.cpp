@@ -33,7 +33,8 @@ TEST_CASE("anchors that cannot be are refused") {
            "f.toml:8:8: anchor.1.name: is \"a b\", expected letters, digits, \"_\", \"-\" and "
            "\".\", 1 to 64 of them"},
           {name, name + "frame = \"inertial\"\n",
-           "f.toml:9:9: anchor.1.frame: is \"inertial\", expected \"mount\", \"hub\" or \"axle\""},
+           "f.toml:9:9: anchor.1.frame: is \"inertial\", expected \"mount\", \"hub\", \"axle\", or "
+           "the name of a body along with subsystem"},
           {name, name + "frame = \"axle\"\n",
            "f.toml:9:9: anchor.1.frame: is \"axle\", which belongs to a hub on a support; expected "
            "\"mount\" or \"hub\""},
