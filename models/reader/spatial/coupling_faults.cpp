@@ -26,13 +26,17 @@ Fault find_coordinate_fault(const CoupledJoint& at, const CouplingEnds& ends) {
   }
   const JointKind kind = end->second.kind;
   const int count = count_coordinates(kind);
-  if (count == 0 || kind == JointKind::spherical || kind == JointKind::bushing)
+  if (count == 0 || kind == JointKind::spherical)
     return {"joint", "is \"" + at.joint + "\", of kind \"" + std::string(name_of(kind)) +
                          "\", expected one whose coordinates are angles about axes, or ways"};
   if (at.coordinate < 1 || at.coordinate > count)
     return {"coordinate", "is " + std::to_string(at.coordinate) + ", expected 1 to " +
                               std::to_string(count) + ", the coordinates of joint \"" + at.joint +
                               "\""};
+  if (kind == JointKind::bushing &&
+      !end->second.is_free[static_cast<std::size_t>(at.coordinate - 1)])
+    return {"coordinate", "is " + std::to_string(at.coordinate) + ", which joint \"" + at.joint +
+                              "\" holds, expected a direction in which the bushing moves"};
   if (!(std::isfinite(at.ratio) && at.ratio != 0.0))
     return {"ratio", "is " + describe(at.ratio) + ", expected a number other than 0"};
   return {};

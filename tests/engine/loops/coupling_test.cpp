@@ -279,6 +279,46 @@ TEST_CASE("formulations agree on couplings, of rigid and elastic bodies, with lo
         }
 }
 
+TEST_CASE("a coupling of a bushing's directions is that of a joint of these freedoms") {
+  // A screw: what turns about z moves along it, against a wheel beside.
+  const auto make = [](const std::string& joint, int along, int about) {
+    return "world='space'\n" + kTurningHub +
+           "[[subsystem]]\nname='screw'\nbody=[ { name='nut', kind='rigid', mass=2,"
+           " center=[0.1,0,0.2], inertia=[0.1,0.2,0.25] }, " +
+           make_wheel("wheel", 0.05) + " ]\njoint=[ { name='nut', parent='hub', child='nut', " +
+           joint + " }, " + make_axle("wheel", ", offset=[0.4,0,0]") +
+           " ]\ncoupling=[ { name='thread', joints=[{ joint='nut', coordinate=" +
+           std::to_string(about) +
+           ", ratio=0.05 }, { joint='nut', coordinate=" + std::to_string(along) +
+           ", ratio=-1 }] }, { name='belt', stiffness=40, joints=[{ joint='nut', coordinate=" +
+           std::to_string(about) + ", ratio=1 }, { joint='wheel', ratio=-2 }] } ]\n" + kSteps;
+  };
+  const std::string cylinder =
+      make("kind='cylindrical', axis=[0,0,1], stiffness=[3,200], initial_speed=[4,0.2]", 2, 1);
+  const std::string bushing =
+      make("kind='bushing', stiffness=[0,0,200,0,0,3], initial_speed=[0,0,0.2,0,0,4]", 3, 6);
+  for (const Formulation formulation : kFormulations) {
+    const RunSetup setup{.method = make_generalized_alpha(0.8, 1e-3), .formulation = formulation};
+    Run<Space> one(make_system(parse_model(cylinder)), setup);
+    Run<Space> other(make_system(parse_model(bushing)), setup);
+    one.advance(200);
+    other.advance(200);
+    const CoordinateBlock &nut = joint_of_body(one, 0), &same = joint_of_body(other, 0);
+    REQUIRE(std::abs(nut.q[0]) > 0.1);
+    CHECK(std::abs(nut.q[1] - 0.05 * nut.q[0]) < 1e-13);
+    CHECK(std::abs(same.q[0] - nut.q[1]) < 1e-12);
+    CHECK(std::abs(same.q[1] - nut.q[0]) < 1e-12);
+    CHECK(std::abs(joint_of_body(other, 1).q[0] - joint_of_body(one, 1).q[0]) < 1e-12);
+  }
+  const SteadyState turning{.speed = 2.0};
+  const ModesResult first = solve_modes(parse_scenario(cylinder, "f"), {.state = turning});
+  const ModesResult second = solve_modes(parse_scenario(bushing, "f"), {.state = turning});
+  REQUIRE(first.modes.size() == 2);
+  REQUIRE(second.modes.size() == 2);
+  for (std::size_t k = 0; k < 2; ++k)
+    CHECK(std::abs(first.modes[k].eigenvalue - second.modes[k].eigenvalue) < 1e-8);
+}
+
 TEST_CASE("couplings keep momentum and energy by the method's order") {
   for (const bool is_elastic : {false, true}) {
     CAPTURE(is_elastic);

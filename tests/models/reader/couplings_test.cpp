@@ -24,11 +24,13 @@ body = [
   { name = "a", kind = "rigid", mass = 1, inertia = 1 },
   { name = "b", kind = "rigid", mass = 1, inertia = 1 },
   { name = "c", kind = "rigid", mass = 1, inertia = 1 },
+  { name = "d", kind = "rigid", mass = 1, inertia = 1 },
 ]
 joint = [
   { name = "ja", parent = "hub", child = "a", kind = "cylindrical", axis = [0, 0, 1] },
   { name = "jb", parent = "hub", child = "b", kind = "revolute", axis = [0, 0, 1] },
   { name = "ball", parent = "hub", child = "c", kind = "spherical" },
+  { name = "pad", parent = "hub", child = "d", kind = "bushing", stiffness = [9, 0, 0, 0, 0, 9] },
 ]
 [[subsystem.coupling]]
 name = "screw"
@@ -76,43 +78,46 @@ TEST_CASE("couplings that cannot be are refused") {
       kGears,
       {
           {"joint = \"jb\"\n", "joint = \"jc\"\n",
-           "f.toml:25:9: subsystem.1.coupling.1.joints.2.joint: is \"jc\", did you mean \"ja\"?"},
+           "f.toml:27:9: subsystem.1.coupling.1.joints.2.joint: is \"jc\", did you mean \"ja\"?"},
           {"joint = \"jb\"\n", "",
-           "f.toml:24:1: subsystem.1.coupling.1.joints.2.joint: is missing, expected a name"},
+           "f.toml:26:1: subsystem.1.coupling.1.joints.2.joint: is missing, expected a name"},
           {"joint = \"jb\"\n", "joint = \"ball\"\n",
-           "f.toml:25:9: subsystem.1.coupling.1.joints.2.joint: is \"ball\", of kind "
+           "f.toml:27:9: subsystem.1.coupling.1.joints.2.joint: is \"ball\", of kind "
            "\"spherical\", expected one whose coordinates are angles about axes, or ways"},
+          {"joint = \"jb\"\n", "joint = \"pad\"\ncoordinate = 2\n",
+           "f.toml:28:14: subsystem.1.coupling.1.joints.2.coordinate: is 2, which joint \"pad\" "
+           "holds, expected a direction in which the bushing moves"},
           {"coordinate = 2", "coordinate = 3",
-           "f.toml:22:14: subsystem.1.coupling.1.joints.1.coordinate: is 3, expected 1 to 2, the "
+           "f.toml:24:14: subsystem.1.coupling.1.joints.1.coordinate: is 3, expected 1 to 2, the "
            "coordinates of joint \"ja\""},
           {"ratio = -0.02", "ratio = 0.0",
-           "f.toml:26:9: subsystem.1.coupling.1.joints.2.ratio: is 0, expected a number other than "
+           "f.toml:28:9: subsystem.1.coupling.1.joints.2.ratio: is 0, expected a number other than "
            "0"},
           {"ratio = -0.02", "",
-           "f.toml:24:1: subsystem.1.coupling.1.joints.2.ratio: is missing, expected a number (1, "
+           "f.toml:26:1: subsystem.1.coupling.1.joints.2.ratio: is missing, expected a number (1, "
            "1/rad, 1/m)"},
           {"joint = \"jb\"\n", "joint = \"ja\"\ncoordinate = 2\n",
-           "f.toml:25:9: subsystem.1.coupling.1.joints.2.joint: is the same coordinate as another "
+           "f.toml:27:9: subsystem.1.coupling.1.joints.2.joint: is the same coordinate as another "
            "one of the coupling"},
           {"[[subsystem.coupling.joints]]\njoint = \"jb\"\nratio = -0.02\n", "",
-           "f.toml:20:1: subsystem.1.coupling.1.joints: has 1 of the two or more coordinates that "
+           "f.toml:22:1: subsystem.1.coupling.1.joints: has 1 of the two or more coordinates that "
            "it is to couple"},
           {"stiffness = 100.0\n", "",
-           "f.toml:18:11: subsystem.1.coupling.1.damping: is given without stiffness, expected "
+           "f.toml:20:11: subsystem.1.coupling.1.damping: is given without stiffness, expected "
            "both "
            "or none"},
           {"stiffness = 100.0", "stiffness = -1",
-           "f.toml:18:13: subsystem.1.coupling.1.stiffness: is -1, expected a number of 0 or more "
+           "f.toml:20:13: subsystem.1.coupling.1.stiffness: is -1, expected a number of 0 or more "
            "(N "
            "m/rad, N/m)"},
           {"name = \"screw\"\n", "",
-           "f.toml:16:1: subsystem.1.coupling.1.name: is missing, expected a name"},
+           "f.toml:18:1: subsystem.1.coupling.1.name: is missing, expected a name"},
           {"coupling = \"screw\"", "coupling = \"skrew\"",
-           "f.toml:30:12: sensor.1.coupling: is \"skrew\", did you mean \"screw\"?"},
+           "f.toml:32:12: sensor.1.coupling: is \"skrew\", did you mean \"screw\"?"},
           {"coupling = \"screw\"\n", "",
-           "f.toml:27:1: sensor.1.coupling: is missing, expected the name of a coupling"},
+           "f.toml:29:1: sensor.1.coupling: is missing, expected the name of a coupling"},
           {"[integration]", blade_sensor,
-           "f.toml:35:12: sensor.2.coupling: does not belong to quantity \"velocity\", expected "
+           "f.toml:37:12: sensor.2.coupling: does not belong to quantity \"velocity\", expected "
            "only "
            "with quantity \"coupling_force\""},
       });
@@ -172,21 +177,21 @@ TEST_CASE("couplings with joints of other subsystems that cannot be are refused"
       kAcross,
       {
           {"subsystem = \"gears\", joint", "subsystem = \"gear\", joint",
-           "f.toml:32:17: subsystem.2.coupling.1.joints.2.subsystem: is \"gear\", did you mean "
+           "f.toml:34:17: subsystem.2.coupling.1.joints.2.subsystem: is \"gear\", did you mean "
            "\"gears\"?"},
           {"subsystem = \"gears\", joint", "subsystem = \"shaft\", joint",
-           "f.toml:32:17: subsystem.2.coupling.1.joints.2.subsystem: is that of the coupling "
+           "f.toml:34:17: subsystem.2.coupling.1.joints.2.subsystem: is that of the coupling "
            "itself, expected none"},
           {"subsystem = \"gears\", joint", "blade = 1, joint",
-           "f.toml:32:13: subsystem.2.coupling.1.joints.2.blade: is given, but there are no "
+           "f.toml:34:13: subsystem.2.coupling.1.joints.2.blade: is given, but there are no "
            "blades"},
           {"subsystem = \"gears\", joint", "blade = \"next\", joint",
-           "f.toml:32:13: subsystem.2.coupling.1.joints.2.blade: is given, but there are no "
+           "f.toml:34:13: subsystem.2.coupling.1.joints.2.blade: is given, but there are no "
            "blades"},
           {"joint = \"jb\", ratio = -3", "joint = \"jd\", ratio = -3",
-           "f.toml:32:34: subsystem.2.coupling.1.joints.2.joint: is \"jd\", did you mean \"ja\"?"},
+           "f.toml:34:34: subsystem.2.coupling.1.joints.2.joint: is \"jd\", did you mean \"ja\"?"},
           {"{ joint = \"js\", ratio = 1 }", "{ subsystem = \"gears\", joint = \"ja\", ratio = 1 }",
-           "f.toml:31:40: subsystem.2.coupling.1.joints: are all elsewhere, expected one of the "
+           "f.toml:33:40: subsystem.2.coupling.1.joints: are all elsewhere, expected one of the "
            "blade or subsystem itself"},
       });
 }
