@@ -8,6 +8,17 @@ std::string_view name_of(Induction induction) {
   return induction == Induction::none ? "none" : "momentum";
 }
 
+std::string_view name_of(HighThrust relation) {
+  if (relation == HighThrust::buhl) return "buhl";
+  return relation == HighThrust::glauert ? "glauert" : "hawc2";
+}
+
+std::string_view name_of(MassFlow flow) { return flow == MassFlow::glauert ? "glauert" : "normal"; }
+
+std::string_view name_of(AttachedFlow flow) {
+  return flow == AttachedFlow::steady ? "steady" : "unsteady";
+}
+
 std::string_view name_of(Inflow inflow) {
   return inflow == Inflow::dynamic ? "dynamic" : "quasi_steady";
 }

@@ -81,6 +81,17 @@ enum class Induction {
   none,     ///< there is none
   momentum  ///< blade-element momentum theory, by annuli
 };
+/// The thrust of a disc that induces much, where momentum theory fails.
+enum class HighThrust {
+  buhl,     ///< Buhl's curve (2005), from a = 0.4
+  glauert,  ///< Glauert's empirical one, 4 F a (1 - a (5 - 3 a) / 4), from a = 1/3
+  hawc2     ///< the polynomial a(C_T) of Madsen et al. (2020), at all a of a turbine
+};
+/// The velocity that carries air through a disc in skewed flow.
+enum class MassFlow {
+  glauert,  ///< its size: of the part normal to the disc and of that in it
+  normal    ///< the part normal to the disc
+};
 /// How induction follows its cause.
 enum class Inflow {
   quasi_steady,  ///< at once
@@ -92,10 +103,20 @@ enum class Stall {
   dynamic  ///< separation lags, by Oye
 };
 
-/// Return the words of the scenario: "momentum", "quasi_steady", "static".
+/// How lift follows the angle of attack while flow is attached.
+enum class AttachedFlow {
+  steady,   ///< at once
+  unsteady  ///< the wake that a section sheds delays it: Wagner's function, by Jones
+};
+
+/// Return the words of the scenario: "momentum", "buhl", "glauert", "quasi_steady", "static",
+/// "steady".
 SPOKE_EXPORT std::string_view name_of(Induction induction);
+SPOKE_EXPORT std::string_view name_of(HighThrust relation);
+SPOKE_EXPORT std::string_view name_of(MassFlow flow);
 SPOKE_EXPORT std::string_view name_of(Inflow inflow);
 SPOKE_EXPORT std::string_view name_of(Stall stall);
+SPOKE_EXPORT std::string_view name_of(AttachedFlow flow);
 /// Returns "none", "cylinder" or "bak".
 SPOKE_EXPORT std::string_view name_of(TowerPotential potential);
 /// Returns "none" or "powles".
@@ -107,7 +128,10 @@ struct Air {
   double viscosity = 1.5e-5;  ///< kinematic [m^2/s]
   Wind wind{};
   Induction induction = Induction::momentum;
+  HighThrust high_thrust = HighThrust::buhl;
+  MassFlow mass_flow = MassFlow::glauert;
   Inflow inflow = Inflow::dynamic;
+  AttachedFlow attached_flow = AttachedFlow::steady;
   Stall stall = Stall::dynamic;
   double inflow_factor = 1.0;  ///< axial induced velocity by that of momentum theory, 1 to 2
   std::vector<Airfoil> airfoils;

@@ -38,8 +38,9 @@ struct RangeOption {
       const double from = number(text.substr(0, first));
       const double to = number(text.substr(first + 1, second - first - 1));
       const double step = number(text.substr(second + 1));
-      if (!(to > from) || !(step > 0.0) || !(step <= to - from)) refuse();
-      const double steps = std::floor((to - from) / step * (1.0 + 1e-9));
+      const double whole = (to - from) * (1.0 + 1e-9);  // differences of decimals are rounded
+      if (!(to > from) || !(step > 0.0) || !(step <= whole)) refuse();
+      const double steps = std::floor(whole / step);
       if (steps >= kMostSteps)
         throw CLI::ValidationError(name, "expected 10000 numbers at most, got \"" + text + '"');
       for (int k = 0; k <= static_cast<int>(steps); ++k) values.push_back(from + k * step);

@@ -45,9 +45,16 @@ std::string direction_text(const Eigen::Vector3d& v) {
 std::string describe(const spatial::Air& air) {
   const std::string factor =
       air.inflow_factor != 1.0 ? " times " + short_number(air.inflow_factor) : "";
-  return fmt::format("{} kg/m^3, {} m^2/s, induction {}{}, inflow {}, stall {}",
+  const auto unless = [](auto usual, auto value, std::string_view words) {
+    return value != usual ? fmt::format(", {} {}", words, name_of(value)) : std::string();
+  };
+  return fmt::format("{} kg/m^3, {} m^2/s, induction {}{}{}{}, inflow {}{}, stall {}",
                      short_number(air.density), short_number(air.viscosity), name_of(air.induction),
-                     factor, name_of(air.inflow), name_of(air.stall));
+                     factor, unless(spatial::HighThrust::buhl, air.high_thrust, "high thrust"),
+                     unless(spatial::MassFlow::glauert, air.mass_flow, "mass flow"),
+                     name_of(air.inflow),
+                     unless(spatial::AttachedFlow::steady, air.attached_flow, "attached flow"),
+                     name_of(air.stall));
 }
 
 /// Describes the grid of a box: "15 x 17 points over 150 x 170 m, every 0.1 s for 600 s".

@@ -969,17 +969,25 @@ def turbulence(*, intensity=None, seed=None, spectrum=None, length_scale=None, d
     return _given(locals())
 
 
-def aerodynamics(*, induction=None, inflow=None, inflow_factor=None, stall=None):
+def aerodynamics(*, induction=None, high_thrust=None, mass_flow=None, inflow=None,
+                 inflow_factor=None, attached_flow=None, stall=None):
     """How induction, inflow and stall are modelled, in space.
 
     induction: velocity that the rotor itself induces: "momentum", blade-element momentum theory by
         annuli, with losses at tip and root, high thrust, hover and descent, and skewed wakes;
         "none"
+    high_thrust: thrust of a rotor that induces more than momentum theory holds for: "buhl";
+        "glauert", his empirical curve; "hawc2", the polynomial of that program (aerodynamics.md)
+    mass_flow: what carries air through a disc in yaw, tilt or forward flight: "glauert", all of its
+        velocity; "normal", the part normal to the disc (aerodynamics.md)
     inflow: how induced velocity follows the load: "dynamic", with two time constants after Oye;
         "quasi_steady", at once
     inflow_factor: induced velocity by that of momentum theory. Hovering rotors induce more, since
         their wake contracts and its tip vortices pass near the blades: 1.1 to 1.2 are usual
         (aerodynamics.md). Of turbines it is 1
+    attached_flow: how lift follows the angle of attack where flow is attached: "steady", at once;
+        "unsteady", with the delay by the wake that the section sheds, by states (Wagner,
+        Theodorsen), in runs
     stall: how separation follows the angle of attack: "dynamic", with a lag after Oye; "static", at
         once, lift is that of the polar
     """

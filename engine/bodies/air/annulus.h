@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "engine/bodies/air/find_zero.h"
+#include "models/air.h"
 
 namespace spoke::air {
 
@@ -18,6 +19,8 @@ struct Annulus {
                     ///< no loss
   double root;      ///< likewise: B (r - R_hub) / (2 R_hub)
   double inflow_factor = 1.0;  ///< induced velocity by that of momentum theory
+  spatial::HighThrust high_thrust = spatial::HighThrust::buhl;
+  spatial::MassFlow mass_flow = spatial::MassFlow::glauert;
 };
 
 /// Flow against a section that the rotor does not disturb, in the section's plane [m/s].
@@ -48,25 +51,64 @@ inline double calc_loss_factor(const Annulus& annulus, double sine) noexcept {
   return std::max(factor, least);
 }
 
+/// An empirical thrust coefficient of a disc by a, its induced velocity by the axial flow, which it
+/// opposes: c_0 + c_1 a + c_2 a^2 + c_3 a^3 up to a = 1, with c = constant + F by_loss.
+struct ThrustCurve {
+  double from;  ///< a from which it is that of the disc
+  double constant[4];
+  double by_loss[4];
+};
+
+/// Of Buhl (2005), which meets momentum theory with equal slope for any F; and of Glauert.
+inline constexpr ThrustCurve kBuhl{
+    0.4, {8.0 / 9.0, -40.0 / 9.0, 50.0 / 9.0, 0.0}, {0.0, 4.0, -4.0, 0.0}};
+inline constexpr ThrustCurve kGlauert{1.0 / 3.0, {0.0, 0.0, 0.0, 0.0}, {0.0, 4.0, -5.0, 3.0}};
+
+/// Returns the thrust coefficient of a curve; in the vortex ring state, a > 1, its tangent goes on.
+inline double calc_thrust(const ThrustCurve& curve, double a, double loss) noexcept {
+  const auto c = [&](int k) { return curve.constant[k] + loss * curve.by_loss[k]; };
+  const double at = std::min(a, 1.0);
+  const double thrust = c(0) + at * (c(1) + at * (c(2) + at * c(3)));
+  return a > 1.0 ? thrust + (c(1) + 2.0 * c(2) + 3.0 * c(3)) * (a - 1.0) : thrust;
+}
+
+/// Returns the thrust coefficient C of a disc without losses by its a > 0, the inverse of
+/// a = 0.2460 C + 0.0586 C^2 + 0.0883 C^3 (Madsen et al. 2020), which is real for any a.
+inline double calc_madsen_thrust(double a) noexcept {
+  constexpr double k1 = 0.2460, k2 = 0.0586, k3 = 0.0883;
+  // By C = x - k2 / (3 k3): x^3 + 3 p x = 2 q, with p > 0, so that there is one solution.
+  constexpr double shift = k2 / (3.0 * k3);
+  constexpr double p = k1 / (3.0 * k3) - shift * shift;
+  const double q = 0.5 * (a / k3 + shift * (k1 / k3 - 2.0 * shift * shift));
+  const double root = std::cbrt(q + std::sqrt(q * q + p * p * p));
+  const double c = root - p / root - shift;
+  // What was lost to cancellation, by a step of Newton's method.
+  return c + (a - c * (k1 + c * (k2 + c * k3))) / (k1 + c * (2.0 * k2 + c * 3.0 * k3));
+}
+
 /// Returns by what an induced velocity is multiplied for the thrust of the disc by its area and by
-/// rho / 2 [m/s]: 4 F times the velocity with which air passes the disc (Glauert), and not less
-/// than by Buhl's curve for high thrust, that is for an induced velocity of more than 0.4 of the
-/// axial flow, which it opposes. induced: axial part; loss: F.
-inline double calc_mass_flow(double axial, double in_plane, double induced, double loss) noexcept {
-  constexpr double high_thrust = 0.4;
+/// rho / 2 [m/s]: 4 F times the velocity with which air passes the disc (Glauert), and for a high
+/// thrust not less than by a curve. Beyond a = 1, in the vortex ring state, momentum theory for
+/// descent overtakes it. induced: axial part; loss: F.
+inline double calc_mass_flow(const Annulus& annulus, double axial, double in_plane, double induced,
+                             double loss) noexcept {
+  const double across = annulus.mass_flow == spatial::MassFlow::glauert ? in_plane : 0.0;
   const double through = axial - induced;
-  const double momentum = 4.0 * loss * std::sqrt(in_plane * in_plane + through * through);
+  const double momentum = 4.0 * loss * std::sqrt(across * across + through * through);
   const double size = std::abs(axial);
   const double opposing = axial >= 0.0 ? induced : -induced;
-  if (!(opposing > high_thrust * size) || size == 0.0) return momentum;
-  if (opposing <= size) {  // a = opposing / size; thrust coefficient by a, times size
-    const double a = opposing / size;
-    const double thrust = 8.0 / 9.0 + a * (4.0 * loss - 40.0 / 9.0 + a * (50.0 / 9.0 - 4.0 * loss));
-    return std::max(momentum, size * thrust / a);
+  if (!(opposing > 0.0) || size == 0.0) return momentum;
+  const double a = opposing / size;
+  if (annulus.high_thrust == spatial::HighThrust::hawc2) {
+    constexpr double overtaken = 2.0;  // by momentum theory, for any flow in the plane
+    if (a > overtaken) return momentum;
+    const double normal = size * calc_madsen_thrust(a) / (4.0 * a);
+    const double empirical = 4.0 * loss * std::sqrt(across * across + normal * normal);
+    return a > 1.0 ? std::max(momentum, empirical) : empirical;
   }
-  // In the vortex ring state the tangent goes on until momentum theory for descent overtakes it.
-  const double slope = 60.0 / 9.0 - 4.0 * loss;
-  return std::max(momentum, size * (2.0 * size + slope * (opposing - size)) / opposing);
+  const ThrustCurve& curve = annulus.high_thrust == spatial::HighThrust::buhl ? kBuhl : kGlauert;
+  if (!(a > curve.from)) return momentum;
+  return std::max(momentum, size * calc_thrust(curve, a, loss) / a);
 }
 
 /// Momentum of an annulus less lift of its blades, as a function of the angle by which induction
@@ -95,7 +137,8 @@ class AnnulusBalance {
     const double flow_cosine = cosine_ * cosine + sine_ * sine;
     const double loss = calc_loss_factor(annulus_, flow_sine);
     const double by_momentum = sine / annulus_.inflow_factor;
-    const double mass_flow = calc_mass_flow(sine_, in_plane_, by_momentum * flow_cosine, loss);
+    const double mass_flow =
+        calc_mass_flow(annulus_, sine_, in_plane_, by_momentum * flow_cosine, loss);
     return mass_flow * by_momentum - annulus_.solidity * cosine * cosine * lift_(angle_ - b);
   }
   /// Returns the size of an angle b at which the balance may be zero, for a lift curve of slope
@@ -103,8 +146,8 @@ class AnnulusBalance {
   double guess(double first_lift) const noexcept {
     const double loss = calc_loss_factor(annulus_, sine_);
     const double square = 4.0 * loss * std::abs(cosine_);
-    const double linear =
-        calc_mass_flow(sine_, in_plane_, 0.0, loss) + 2.0 * std::numbers::pi * annulus_.solidity;
+    const double linear = calc_mass_flow(annulus_, sine_, in_plane_, 0.0, loss) +
+                          2.0 * std::numbers::pi * annulus_.solidity;
     const double load = annulus_.solidity * std::abs(first_lift);
     return 2.0 * load / (linear + std::sqrt(linear * linear + 4.0 * square * load));
   }

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -33,6 +34,13 @@ struct WindAgainstHub {
     if (across == 0.0) in_plane.setZero();
   }
 };
+
+/// Shares and speeds, by half chords of travel, of the wake that a section sheds: Wagner's function
+/// 1 - sum share exp(-speed s) by Jones (NACA report 681, 1940).
+struct WagnerPart {
+  double share, speed;
+};
+constexpr std::array<WagnerPart, 2> kWagner{{{0.165, 0.0455}, {0.335, 0.3}}};
 
 /// Returns the size of a vector; unlike std::hypot(), of speeds whose squares are finite.
 double find_size(double x, double y) noexcept { return std::sqrt(x * x + y * y); }
@@ -84,6 +92,7 @@ struct BladeAir::Point {
   SectionPolar::Level level{};
   StationState state{};
   double turning = 0.0;             // see find_turning_angle()
+  double rise = 0.0;                // see find_rise() [m/s]
   double axial = 0.0, ahead = 0.0;  // flow with induction
   double relative = 0.0;            // its size
 };
@@ -96,7 +105,8 @@ BladeAir::Point BladeAir::find_point(const RotorPlace& rotor, const Station& sta
   const double speed = find_size(flow.axial, flow.ahead);
   Point point{station, axes, flow};
   point.level = station.polar->level(speed * station.chord / viscosity_);
-  point.turning = find_turning_angle(axes, section, flow, station.chord);
+  point.rise = find_rise(axes, section, station.chord);
+  point.turning = find_turning_angle(axes, flow, point.rise);
   return point;
 }
 
@@ -104,8 +114,12 @@ InducedFlow BladeAir::solve_momentum(const Point& point) const noexcept {
   constexpr double least_radius = 0.01;  // of the rotor's: nearer the axis annuli are no smaller
   const Station& station = point.station;
   const double radius = std::max(point.axes.radius, least_radius * radius_);
-  const Annulus annulus{blades_ * station.chord / (2.0 * std::numbers::pi * radius), station.tip,
-                        station.root, inflow_factor_};
+  const Annulus annulus{blades_ * station.chord / (2.0 * std::numbers::pi * radius),
+                        station.tip,
+                        station.root,
+                        inflow_factor_,
+                        high_thrust_,
+                        mass_flow_};
   const double pitch = std::atan2(point.axes.pitch_sine, point.axes.pitch_cosine) + point.turning;
   return solve_annulus(annulus, point.flow, [&](double angle) {
     return station.polar->lift(point.level, angle + pitch);
@@ -130,6 +144,30 @@ void BladeAir::advance_induced(const Advance& advance, Point& point) const noexc
   }
   state.steady = steady;
   state.inflow_rate = rate;
+}
+
+void BladeAir::advance_shed(const Advance& advance, Point& point) const noexcept {
+  StationState& state = point.state;
+  const double chord = point.station.chord;
+  const double across = point.axes.find_across(point.axial, point.ahead) + point.rise;
+  const double rate =
+      chord > 0.0 ? 2.0 / chord * find_size(point.axial, point.ahead) : 0.0;  // half chords
+  double induced = 0.0;
+  for (std::size_t k = 0; k < kWagner.size(); ++k) {
+    const auto [share, speed] = kWagner[k];
+    if (advance.to_rest)
+      state.shed[k] = share * across;
+    else if (!advance.stands())
+      state.shed[k] = advance_filter(state.shed[k], share * state.across, share * across,
+                                     speed * advance.turns(state.shed_rate, rate));
+    induced += share * across - state.shed[k];
+  }
+  if (advance.to_rest || !advance.stands()) {
+    state.across = across;
+    state.shed_rate = rate;
+  }
+  point.axial -= induced * point.axes.pitch_cosine;
+  point.ahead -= induced * point.axes.pitch_sine;
 }
 
 double BladeAir::advance_lift(const Advance& advance, const PolarValues& polar,
@@ -160,9 +198,10 @@ void BladeAir::evaluate(const RotorPlace& rotor, std::span<const MarkerMotion> s
   const Advance advance(elapsed);
   for (std::size_t i = 0; i < stations_.size(); ++i) {
     Point point = find_point(rotor, stations_[i], sections[i], wind[i], hub.across);
-    if (!advance.to_rest) point.state = load_state(before + i * kStates);
+    const std::size_t first = i * states_of_station();
+    if (!advance.to_rest) point.state = load_state(before + first, lags_attached_);
     if (held)
-      point.state.take_inflow(load_state(after + i * kStates));
+      point.state.take_inflow(load_state(after + first, lags_attached_));
     else if (!induces_)
       point.state.take_inflow({});
     else if (!(lags_inflow_ && advance.stands()))
@@ -173,12 +212,13 @@ void BladeAir::evaluate(const RotorPlace& rotor, std::span<const MarkerMotion> s
     const InducedFlow induced{skew * point.state.axial.induced, point.state.tangential.induced};
     point.axial = point.flow.axial - induced.axial;
     point.ahead = point.flow.ahead + induced.tangential;
+    if (lags_attached_) advance_shed(advance, point);
     point.relative = find_size(point.axial, point.ahead);
     const double attack = wrap(point.axes.find_attack(point.axial, point.ahead) + point.turning);
     PolarValues polar = point.station.polar->values(point.level, attack);
     polar.lift = advance_lift(advance, polar, point);
     polar.moment += calc_turning_moment(point.turning, polar.separation);
-    save_state(point.state, after + i * kStates);
+    save_state(point.state, lags_attached_, after + first);
     out[i] = find_load(point, polar);
     if (!seen.empty()) seen[i] = describe(rotor, point, induced, attack, polar, out[i]);
   }

@@ -59,7 +59,7 @@ class SPOKE_EXPORT BladeAir {
   /// Returns the number of stations.
   std::size_t count() const { return stations_.size(); }
   /// Returns the doubles of a blade's state.
-  std::size_t state_size() const { return kStates * stations_.size(); }
+  std::size_t state_size() const { return states_of_station() * stations_.size(); }
   /// Returns the distances of the stations from the root [m].
   const std::vector<double>& stations() const { return places_; }
   /// Returns the rotor's radius, undeformed [m].
@@ -68,7 +68,7 @@ class SPOKE_EXPORT BladeAir {
   /// Sets the loads at time t and the states there.
   ///
   /// sections: motion of the stations' sections at t; wind: undisturbed velocity of the air at
-  /// them, inertial frame [m/s]. before: states (kStates for each station) at the beginning of the
+  /// them, inertial frame [m/s]. before: states (state_size()) at the beginning of the
   /// step; elapsed: time since then [s], 0 or more: the states advance by it, their inputs linear
   /// in between. 0: induced velocities and separation are those of `before`, where they have states
   /// (dynamic); infinite: the states of equilibrium, whatever `before` holds. after: states at t;
@@ -99,12 +99,16 @@ class SPOKE_EXPORT BladeAir {
   struct Point;
   struct Advance;
 
+  std::size_t states_of_station() const { return lags_attached_ ? kStates + kShedStates : kStates; }
+
   Point find_point(const RotorPlace& rotor, const Station& station, const MarkerMotion& section,
                    const Eigen::Vector3d& wind, double in_plane) const noexcept;
   /// Returns the flow that a station's annulus induces in steady state.
   InducedFlow solve_momentum(const Point& point) const noexcept;
   /// Moves the states of inflow on.
   void advance_induced(const Advance& advance, Point& point) const noexcept;
+  /// Moves those of the shed wake on, and takes what it induces across the chord from the flow.
+  void advance_shed(const Advance& advance, Point& point) const noexcept;
   /// Moves those of stall on; returns the lift.
   double advance_lift(const Advance& advance, const PolarValues& polar,
                       Point& point) const noexcept;
@@ -119,8 +123,10 @@ class SPOKE_EXPORT BladeAir {
   double radius_;  // of the tip [m]
   int blades_;
   double inflow_factor_;
+  spatial::HighThrust high_thrust_;
+  spatial::MassFlow mass_flow_;
   double side_;  // 1, or -1 where leading edges look towards -y
-  bool induces_, lags_inflow_, lags_stall_;
+  bool induces_, lags_inflow_, lags_attached_, lags_stall_;
 };
 
 }  // namespace spoke::air

@@ -19,9 +19,12 @@ BladeAir::BladeAir(const spatial::BladeAerodynamics& blade, const spatial::Air& 
       radius_(hub_radius + std::max(blade.station.back(), places_.back())),
       blades_(blades),
       inflow_factor_(air.inflow_factor),
+      high_thrust_(air.high_thrust),
+      mass_flow_(air.mass_flow),
       side_(blade.leads_backward ? -1.0 : 1.0),
       induces_(air.induction == spatial::Induction::momentum),
       lags_inflow_(air.inflow == spatial::Inflow::dynamic),
+      lags_attached_(air.attached_flow == spatial::AttachedFlow::unsteady),
       lags_stall_(air.stall == spatial::Stall::dynamic) {
   constexpr double none = std::numeric_limits<double>::infinity();
   assert(polars.size() == places_.size());

@@ -16,7 +16,7 @@ struct ChordFlow {
 
   ChordFlow(const SectionAxes& axes, double axial, double ahead)
       : along(ahead * axes.pitch_cosine - axial * axes.pitch_sine),
-        normal(axial * axes.pitch_cosine + ahead * axes.pitch_sine) {}
+        normal(axes.find_across(axial, ahead)) {}
 };
 
 }  // namespace
@@ -60,9 +60,11 @@ SectionFlow find_flow(const SectionAxes& axes, const MarkerMotion& section,
           without_rounding(-flow.dot(axes.tangential), size), in_plane};
 }
 
-double find_turning_angle(const SectionAxes& axes, const MarkerMotion& section,
-                          const SectionFlow& flow, double chord) noexcept {
-  const double rise = 0.5 * chord * section.angular_velocity.dot(axes.nose_up);
+double find_rise(const SectionAxes& axes, const MarkerMotion& section, double chord) noexcept {
+  return 0.5 * chord * section.angular_velocity.dot(axes.nose_up);
+}
+
+double find_turning_angle(const SectionAxes& axes, const SectionFlow& flow, double rise) noexcept {
   if (rise == 0.0) return 0.0;
   const ChordFlow at_quarter(axes, flow.axial, flow.ahead);
   const double along = at_quarter.along, normal = at_quarter.normal;

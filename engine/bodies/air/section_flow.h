@@ -25,6 +25,10 @@ struct SectionAxes {
   /// Returns the angle of flow against the chord, positive against its lower side; 0 where air is
   /// at rest against the section [rad].
   double find_attack(double axial_flow, double ahead) const noexcept;
+  /// Returns the flow across the chord, from the lower side to that of suction.
+  double find_across(double axial_flow, double ahead) const noexcept {
+    return axial_flow * pitch_cosine + ahead * pitch_sine;
+  }
 };
 
 /// Returns a difference of two velocities; 0 where it is what rounding leaves of them when they
@@ -44,10 +48,12 @@ SectionAxes find_axes(const RotorPlace& rotor, const MarkerMotion& section, doub
 SectionFlow find_flow(const SectionAxes& axes, const MarkerMotion& section,
                       const Eigen::Vector3d& wind, double ahead, double in_plane) noexcept;
 
-/// Returns the angle [rad] by which the section's turning raises the flow at three quarters of its
-/// chord, where it decides on lift, above that at one quarter, on which lift is at right angles.
-double find_turning_angle(const SectionAxes& axes, const MarkerMotion& section,
-                          const SectionFlow& flow, double chord) noexcept;
+/// Returns by what the section's turning raises the flow across its chord at three quarters of it,
+/// where it decides on lift, above that at one quarter, on which lift is at right angles [m/s].
+double find_rise(const SectionAxes& axes, const MarkerMotion& section, double chord) noexcept;
+
+/// Returns the angle [rad] by which a rise of find_rise() turns the flow.
+double find_turning_angle(const SectionAxes& axes, const SectionFlow& flow, double rise) noexcept;
 
 /// Returns the coefficient of the moment about the quarter chord that the section's turning causes
 /// by find_turning_angle() [rad], as far as flow is attached: of a thin aerofoil in unsteady flow

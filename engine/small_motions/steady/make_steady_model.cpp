@@ -34,6 +34,18 @@ std::unique_ptr<SteadyModel> make_planar(const Scenario& scenario, const SteadyO
       name_subsystems(rotor), options);
 }
 
+bool has_unsteady_flow(const Scenario& scenario) {
+  const auto& air = scenario.space->air;
+  return air && air->attached_flow == spatial::AttachedFlow::unsteady;
+}
+
+/// Returns the scenario with lift that follows at once: small motions have no states of air.
+Scenario with_steady_flow(const Scenario& scenario) {
+  Scenario steady = scenario;
+  steady.space->air->attached_flow = spatial::AttachedFlow::steady;
+  return steady;
+}
+
 bool turns(const SteadyOptions& options) {
   return options.speed != 0.0 ||
          std::any_of(options.further_speeds.begin(), options.further_speeds.end(),
@@ -70,6 +82,7 @@ std::unique_ptr<SteadyModel> make_steady_model(const Scenario& scenario,
                                                const SteadyOptions& options) {
   if (!scenario.space) return make_planar(scenario, options);
   if (has_friction(scenario)) return make_steady_model(with_friction_at_rest(scenario), options);
+  if (has_unsteady_flow(scenario)) return make_steady_model(with_steady_flow(scenario), options);
   if (!has_changing_wind(scenario)) return make_spatial(scenario, {}, options);
   const Scenario of_places = in_mean_wind(scenario, options.instant, WindPlaces::all);
   SteadyWinds winds{{}, &of_places.space->air->wind};
@@ -86,6 +99,8 @@ std::unique_ptr<SteadyModel> make_rotor_model(const Scenario& scenario, int roto
   if (const std::string tie = find_tie_of_hubs(*scenario.space); !tie.empty()) refuse_turning(tie);
   if (has_friction(scenario))
     return make_rotor_model(with_friction_at_rest(scenario), rotor, options);
+  if (has_unsteady_flow(scenario))
+    return make_rotor_model(with_steady_flow(scenario), rotor, options);
   if (has_changing_wind(scenario))
     return make_rotor_model(in_mean_wind(scenario, options.instant, WindPlaces::hub, rotor), rotor,
                             options);

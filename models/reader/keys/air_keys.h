@@ -20,6 +20,17 @@ inline constexpr std::array kAerodynamicsRows{
         "velocity that the rotor itself induces: `\"momentum\"`, blade-element momentum theory by "
         "annuli, with losses at tip and root, high thrust, hover and descent, and skewed wakes; "
         "`\"none\"`"),
+    choice<&spatial::Air::high_thrust, spatial::HighThrust::buhl, spatial::HighThrust::glauert,
+           spatial::HighThrust::hawc2>(
+        "high_thrust",
+        "thrust of a rotor that induces more than momentum theory holds for: `\"buhl\"`; "
+        "`\"glauert\"`, his empirical curve; `\"hawc2\"`, the polynomial of that program "
+        "([aerodynamics.md](aerodynamics.md#high-thrust-and-descent))"),
+    choice<&spatial::Air::mass_flow, spatial::MassFlow::glauert, spatial::MassFlow::normal>(
+        "mass_flow",
+        "what carries air through a disc in yaw, tilt or forward flight: `\"glauert\"`, all of its "
+        "velocity; `\"normal\"`, the part normal to the disc "
+        "([aerodynamics.md](aerodynamics.md#4-skewed-wake))"),
     choice<&spatial::Air::inflow, spatial::Inflow::dynamic, spatial::Inflow::quasi_steady>(
         "inflow",
         "how induced velocity follows the load: `\"dynamic\"`, with two time constants after Oye; "
@@ -29,6 +40,12 @@ inline constexpr std::array kAerodynamicsRows{
         "induced velocity by that of momentum theory. Hovering rotors induce more, since their "
         "wake contracts and its tip vortices pass near the blades: 1.1 to 1.2 are usual "
         "([aerodynamics.md](aerodynamics.md#inflow-factor)). Of turbines it is 1"),
+    choice<&spatial::Air::attached_flow, spatial::AttachedFlow::steady,
+           spatial::AttachedFlow::unsteady>(
+        "attached_flow",
+        "how lift follows the angle of attack where flow is attached: `\"steady\"`, at once; "
+        "`\"unsteady\"`, with the delay by the wake that the section sheds, by states (Wagner, "
+        "Theodorsen), in runs"),
     choice<&spatial::Air::stall, spatial::Stall::dynamic, spatial::Stall::steady>(
         "stall",
         "how separation follows the angle of attack: `\"dynamic\"`, with a lag after Oye; "

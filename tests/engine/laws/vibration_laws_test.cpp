@@ -69,6 +69,7 @@ void calm_air(spatial::Model& model) {
   model.air->wind.turbulence.reset();
   model.air->wind.shear_exponent = 0.0;
   model.air->inflow = spatial::Inflow::quasi_steady;
+  model.air->attached_flow = spatial::AttachedFlow::steady;
   model.air->stall = spatial::Stall::steady;
 }
 

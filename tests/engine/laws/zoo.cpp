@@ -79,6 +79,7 @@ void put_past_tower(Scenario& scenario) {
   model.air = in_wind.space->air;
   model.air->wind = Wind{};
   model.air->wind.velocity = {9.0, 0.0, 0.0};
+  model.air->attached_flow = spatial::AttachedFlow::unsteady;
   for (std::size_t i = 0; i < model.blades.size(); ++i)
     model.blades[i].aerodynamics = in_wind.space->blades[i].aerodynamics;
   for (spatial::Body& body : model.subsystems.back().bodies)

@@ -95,7 +95,7 @@ TEST_CASE("aerodynamics come with a folder of tables, all of them or none") {
                   folder.work)
             .status == 0);
   CHECK(run_spoke({"performance", "t.toml", "--wind", "8", "--pitch", "0:2:2", "--tip-speed-ratio",
-                   "7", "--rigid", "--out", "p"},
+                   "7.7:12.7:5", "--rigid", "--out", "p"},
                   folder.work)
             .status == 0);
 }

@@ -392,6 +392,9 @@ TEST_CASE("performance refuses bad input in one line") {
   check_refused({"performance", turbine}, "no wind speeds and no tip-speed ratios are given");
   check_refused({"performance", turbine, "--wind", "8:10:1", "--pitch", "0:2:1"},
                 "several pitch angles are given without tip-speed ratios, expected one or none");
+  check_refused({"performance", turbine, "--tip-speed-ratio", "7:8:1.001"},
+                "--tip-speed-ratio: expected a number above 0 or FROM:TO:STEP, ascending, got "
+                "\"7:8:1.001\"");
   check_refused({"performance", turbine, "--wind", "8:10:1", "--tip-speed-ratio", "7"},
                 "several wind speeds are given along with tip-speed ratios, expected one or none");
   check_refused({"performance", turbine, "--wind", "8", "--pitch", "1", "--joint", "pich", "--set",

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 #include "engine/bodies/air/blade_air.h"
@@ -216,4 +217,119 @@ TEST_CASE("blade_states: a rotor that stops in still air loses its induced veloc
   CHECK(before < -0.5);
   for (int k = 0; k < 400; ++k) run.go(stopped, Vector3d::Zero(), 1.0);
   CHECK(std::abs(run.seen[6].induced_axial) < 0.2 * std::abs(before));
+}
+
+namespace {
+
+constexpr double kChord = 1.5;
+
+/// A plate in the plane of a rotor that stands, without induction.
+air::BladeAir unsteady_plate() {
+  spatial::Air air = plate_air(kAtOnce, spatial::Stall::steady);
+  air.induction = spatial::Induction::none;
+  air.attached_flow = spatial::AttachedFlow::unsteady;
+  return {make_blade(
+              kPlaces, "plate", [](double) { return kChord; }, [](double) { return 0.0; }),
+          air, 3, 2.0, kPlaces};
+}
+
+}  // namespace
+
+TEST_CASE("blade_states: lift after a step in pitch grows by Wagner's function") {
+  const air::BladeAir blade = unsteady_plate();
+  constexpr double wind = 40.0, small = 1e-5;
+  const auto place = [](double pitch) { return BladePlace{.pitch = pitch, .hub_radius = 2.0}; };
+  const Vector3d ahead(0.0, -wind, 0.0);
+  constexpr std::size_t station = 6;
+  const auto lift_after = [&](double pitch, double time) {
+    AirRun run(blade);
+    run.go(place(0.0), ahead, kForever);
+    run.go(place(pitch), ahead, 1e-12);
+    if (time > 0.0) run.go(place(pitch), ahead, time);
+    return run.seen[station].lift;
+  };
+  AirRun first(blade), last(blade);
+  first.go(place(0.0), ahead, kForever);
+  last.go(place(small), ahead, kForever);
+  const double from = first.seen[station].lift, to = last.seen[station].lift;
+  REQUIRE(std::abs(to - from) > 1e-6);
+  const double speed = first.seen[station].relative_speed;
+  CHECK(speed == approx(wind));
+  for (const double travel : {0.0, 0.5, 2.0, 10.0, 50.0, 400.0}) {  // in half chords
+    const double time = travel * 0.5 * kChord / speed;
+    const double share = (lift_after(small, time) - from) / (to - from);
+    const double wagner =
+        1.0 - 0.165 * std::exp(-0.0455 * travel) - 0.335 * std::exp(-0.3 * travel);
+    CAPTURE(travel);
+    CHECK(share == doctest::Approx(wagner).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("blade_states: lift in oscillation has the size and the lag of Theodorsen's function") {
+  const air::BladeAir blade = unsteady_plate();
+  constexpr double wind = 40.0, small = 1e-5;
+  const Vector3d ahead(0.0, -wind, 0.0);
+  constexpr std::size_t station = 6;
+  // C(k) by reduced frequency: Theodorsen, NACA report 496 (1935), table II.
+  struct Row {
+    double k, real, imaginary;
+  };
+  for (const Row& row : {Row{0.05, 0.9090, -0.1306}, Row{0.1, 0.8320, -0.1723},
+                         Row{0.3, 0.6650, -0.1793}, Row{0.6, 0.5788, -0.1378}}) {
+    const double frequency = row.k * wind / (0.5 * kChord), step = 2e-3 / frequency;
+    AirRun run(blade);
+    // A plunge in place of a pitch, which would turn the flow along the chord, too: the wind's.
+    const auto wind_at = [&](double t) {
+      return Vector3d(wind * small * std::sin(frequency * t), -wind, 0.0);
+    };
+    const BladePlace place{.hub_radius = 2.0};
+    run.go(place, wind_at(0.0), kForever);
+    const double mean = run.seen[station].lift;
+    std::complex<double> sum = 0.0, quasi = 0.0;
+    AirRun still(blade);
+    still.go(place, Vector3d(wind * small, -wind, 0.0), kForever);
+    const double amplitude = still.seen[station].lift - mean;
+    const double period = 2.0 * std::numbers::pi / frequency;
+    const int steps = static_cast<int>(std::round(period / step));
+    const int transient = steps * static_cast<int>(std::ceil(60.0 * row.k + 3.0));
+    for (int n = 1; n <= transient + steps; ++n) {
+      const double t = n * period / steps;
+      run.go(place, wind_at(t), period / steps);
+      if (n <= transient) continue;
+      const std::complex<double> turn = std::polar(1.0, -frequency * t);
+      sum += (run.seen[station].lift - mean) * turn;
+      quasi += amplitude * std::sin(frequency * t) * turn;
+    }
+    const std::complex<double> c = sum / quasi;
+    CAPTURE(row.k);
+    // Jones's approximation is within 0.02 of the function.
+    CHECK(std::abs(c.real() - row.real) < 0.02);
+    CHECK(std::abs(c.imag() - row.imaginary) < 0.02);
+    using namespace std::complex_literals;
+    const std::complex<double> jones =
+        1.0 - 0.165 / (1.0 - 0.0455i / row.k) - 0.335 / (1.0 - 0.3i / row.k);
+    CHECK(std::abs(c - jones) < 1e-4);
+  }
+}
+
+TEST_CASE("blade_states: unsteady attached flow is at rest where nothing moves, and goes on") {
+  spatial::Air air = plate_air(kLag, spatial::Stall::dynamic);
+  const air::BladeAir steady = make(air);
+  air.attached_flow = spatial::AttachedFlow::unsteady;
+  const air::BladeAir unsteady = make(air);
+  CHECK(unsteady.state_size() ==
+        steady.state_size() / air::kStates * (air::kStates + air::kShedStates));
+  AirRun one(steady), two(unsteady);
+  one.go(turning(0.02), kBreeze, kForever);
+  two.go(turning(0.02), kBreeze, kForever);
+  CHECK(one.force() == two.force());
+  two.go(turning(0.02), kBreeze, 0.1);
+  CHECK((one.force() - two.force()).norm() < 1e-12 * one.force().norm());
+  // No time leaves what the shed wake induces; half of a sudden angle is felt at once.
+  AirRun jumped = two, later = two;
+  jumped.go(turning(0.021), kBreeze, 0.0);
+  const std::vector<double> before = two.state;
+  CHECK(jumped.state == before);
+  later.go(turning(0.021), kBreeze, 1e-9);
+  CHECK((jumped.force() - later.force()).norm() < 1e-4 * jumped.force().norm());
 }

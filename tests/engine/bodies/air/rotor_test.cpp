@@ -160,3 +160,53 @@ TEST_CASE("rotor: coefficients are none where there is nothing to divide by") {
   CHECK(c.torque == approx(3.0 / (force * 5.0)));
   CHECK(c.power == approx(3.0 * 4.0 / (force * 6.0)));
 }
+
+TEST_CASE("rotor: what yaw costs by the flow that carries air through the disc") {
+  // A fast rotor of 100 blades, of even lift: the wind in its plane hardly changes the flow from
+  // ahead.
+  constexpr double wind = 10.0, root = 2.0, radius = 50.0, speed = 20.0, kLoad = 0.6;
+  constexpr int blades = 100;
+  const std::vector<double> stations = spread(0.0, radius - root, 49);
+  const auto chord = [](double station) {
+    return 2.0 * kHalfTurn * kLoad * wind * wind /
+           (blades * speed * speed * (root + station) * 0.9);
+  };
+  const auto mean_power = [&](spatial::MassFlow flow, double yaw) {
+    spatial::Air air = steady_air({make_airfoil(
+        "even", [](double) { return 0.9; }, 0.0)});
+    air.mass_flow = flow;
+    const air::BladeAir blade(make_blade(stations, "even", chord, [](double) { return 0.0; }), air,
+                              blades, root, stations);
+    AirRun run(blade);
+    double power = 0.0;
+    constexpr int azimuths = 36;
+    for (int k = 0; k < azimuths; ++k) {
+      run.go({.speed = speed, .azimuth = 2.0 * kHalfTurn * k / azimuths, .hub_radius = root},
+             {wind * std::cos(yaw), wind * std::sin(yaw), 0.0}, kForever);
+      power += blade.torque(run.seen) * speed / azimuths;
+    }
+    return power;
+  };
+  // With the same lift it has the same thrust T = 2 rho A v |w|, w the velocity through the disc or
+  // the part of it normal to the disc, and the power T (U - v).
+  const auto calc_share = [](bool counts_plane, double yaw) {
+    const double normal = std::cos(yaw), plane = counts_plane ? std::sin(yaw) : 0.0;
+    double low = 0.0, high = 0.5 * normal;  // by the wind
+    for (int k = 0; k < 100; ++k) {
+      const double v = 0.5 * (low + high);
+      (4.0 * v * std::hypot(plane, normal - v) < kLoad ? low : high) = v;
+    }
+    return kLoad * (normal - low);
+  };
+  constexpr double yaw = 20.0 * kHalfTurn / 180.0;
+  for (const spatial::MassFlow flow : {spatial::MassFlow::glauert, spatial::MassFlow::normal}) {
+    const bool counts_plane = flow == spatial::MassFlow::glauert;
+    CAPTURE(counts_plane);
+    CHECK(mean_power(flow, yaw) / mean_power(flow, 0.0) ==
+          doctest::Approx(calc_share(counts_plane, yaw) / calc_share(counts_plane, 0.0))
+              .epsilon(2e-3));
+  }
+  CHECK(mean_power(spatial::MassFlow::glauert, 0.0) == mean_power(spatial::MassFlow::normal, 0.0));
+  CHECK(mean_power(spatial::MassFlow::glauert, yaw) >
+        1.03 * mean_power(spatial::MassFlow::normal, yaw));
+}
