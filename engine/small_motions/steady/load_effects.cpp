@@ -28,26 +28,40 @@ void raise(Curve& curve) {
   curve = Curve(curve.times(), values);
 }
 
-/// Adds the inputs of a list of loads, which `find` takes from a scenario.
+/// Adds the inputs of a list of loads, which `find` takes from a scenario. `splits`: whether a load
+/// on all blades is an input of each.
 template <class Find>
-void add_loads(const char* list, const Scenario& scenario, const Find& find,
+void add_loads(const char* list, const Scenario& scenario, bool splits, const Find& find,
                std::vector<Input>& inputs) {
-  const std::size_t count = find(scenario).size();
-  for (std::size_t k = 0; k < count; ++k)
-    inputs.push_back({list + ('.' + std::to_string(k + 1)), "1",
-                      [k, find](Scenario& other) { raise(find(other)[k].factor); }});
+  const auto& loads = find(scenario);
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    const std::string name = list + ('.' + std::to_string(k + 1));
+    if constexpr (requires { loads[k].place.blade; })
+      if (splits && loads[k].place.subsystem.empty() && loads[k].place.blade.is_all()) {
+        for (std::size_t b = 0; b < scenario.space->blades.size(); ++b)
+          inputs.push_back({name, "1", [k, b, find](Scenario& other) {
+                              auto own = find(other)[k];
+                              own.place.blade = BladeChoice::number(static_cast<int>(b) + 1);
+                              own.factor = Curve(1.0);
+                              find(other).push_back(own);
+                            }});
+        continue;
+      }
+    inputs.push_back({name, "1", [k, find](Scenario& other) { raise(find(other)[k].factor); }});
+  }
 }
 
 /// Adds the inputs of the lists of a rotor in the plane or of a model in space.
 template <class Find>
-void add_all_loads(const Scenario& scenario, const Find& find, std::vector<Input>& inputs) {
+void add_all_loads(const Scenario& scenario, bool splits, const Find& find,
+                   std::vector<Input>& inputs) {
   add_loads(
-      "load", scenario, [find](auto& s) -> auto& { return find(s).loads; }, inputs);
+      "load", scenario, splits, [find](auto& s) -> auto& { return find(s).loads; }, inputs);
   add_loads(
-      "distributed_load", scenario, [find](auto& s) -> auto& { return find(s).distributed_loads; },
-      inputs);
+      "distributed_load", scenario,
+      splits, [find](auto& s) -> auto& { return find(s).distributed_loads; }, inputs);
   add_loads(
-      "hub_load", scenario, [find](auto& s) -> auto& { return find(s).hub_loads; }, inputs);
+      "hub_load", scenario, splits, [find](auto& s) -> auto& { return find(s).hub_loads; }, inputs);
 }
 
 /// Adds the motors of the free coordinates of a joint, which `find` takes from a scenario.
@@ -80,17 +94,25 @@ void add_all_motors(const Scenario& scenario, std::vector<Input>& inputs) {
           [ b, j ](auto& s) -> auto& { return s.space->subsystems[b].joints[j].joint; }, inputs);
 }
 
-std::vector<Input> list_inputs(const Scenario& scenario) {
+/// `splits`: see add_loads().
+std::vector<Input> list_inputs(const Scenario& scenario, bool splits) {
   std::vector<Input> inputs;
   if (scenario.space) {
     add_all_loads(
-        scenario, [](auto& s) -> auto& { return *s.space; }, inputs);
+        scenario, splits, [](auto& s) -> auto& { return *s.space; }, inputs);
     add_all_motors(scenario, inputs);
   } else {
     add_all_loads(
-        scenario, [](auto& s) -> auto& { return s.rotor; }, inputs);
+        scenario, false, [](auto& s) -> auto& { return s.rotor; }, inputs);
   }
   return inputs;
+}
+
+/// Whether a subsystem is several of the scenario.
+bool ties_any(SteadyModel& model) {
+  for (std::size_t i = 0; i < model.subsystems(); ++i)
+    if (model.members(i).size() > 1) return true;
+  return false;
 }
 
 /// Returns forces and outputs of a subsystem at its equilibrium.
@@ -151,7 +173,7 @@ std::vector<InputEffect> calc_effects(const Scenario& scenario, const Equilibriu
                                       std::optional<double> azimuth) {
   const Answers steady = answer_all(equilibrium, settled, base);
   std::vector<InputEffect> effects;
-  for (const Input& input : list_inputs(scenario)) {
+  for (const Input& input : list_inputs(scenario, ties_any(base))) {
     Scenario raised = scenario;
     input.raise(raised);
     const std::unique_ptr<SteadyModel> more = make_like(settled, raised, azimuth);

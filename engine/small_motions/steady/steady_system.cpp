@@ -23,6 +23,7 @@
 #include "engine/small_motions/steady/subsystem_forces.h"
 #include "engine/step/assembly.h"
 #include "engine/step/formulation/loops/loops.h"
+#include "engine/step/formulation/loops/shared_loops.h"
 #include "engine/step/step_graph_builder.h"
 #include "models/error.h"
 #include "models/system/spatial_system.h"
@@ -66,6 +67,7 @@ SteadySystem<World>::SteadySystem(const SystemMaker<World>& maker,
   context_.loop_limits.has_started = true;
   allocate(context_);
   for (std::size_t i = 0; i < subsystems(); ++i) data(i).loops.use = use[i];
+  take_uses_of_shared_loops(context_.system, context_.data);
   outputs_.resize(subsystems());
   if (options.has_outputs) set_outputs(maker.place_sensors(context_.system, context_.data));
   std::fill(context_.data.progress.begin(), context_.data.progress.end(),
@@ -344,8 +346,15 @@ void SteadySystem<World>::set_hub(std::size_t subsystem, const HubOffset& hub) {
   if (own.rotor >= 0) return;
   own.prescribed = hub_motion(hub);
   if (!context_.data.is_coupled) return;
-  context_.data.hub = own.prescribed.state;
-  context_.data.hub_solution.acceleration = own.prescribed.acceleration;
+  const PrescribedHub<World>& given = own.prescribed;
+  context_.data.hub = given.state;
+  context_.data.hub_solution.acceleration = given.acceleration;
+  // Sensors read it as that of the hub's coordinates.
+  TwistOf<World> inertial = given.acceleration;
+  linear(inertial) = given.state.R * PositionOf<World>(linear(given.acceleration)) +
+                     PositionOf<World>(context_.system.gravity_at(0.0));
+  inertial[World::kAxial] -= calc_carried_spin_up(context_.system, 0.0);
+  std::copy_n(inertial.data(), World::kTwist, context_.data.hub_coordinates.a);
 }
 
 template <class World>

@@ -10,6 +10,8 @@
 #include <optional>
 #include <utility>
 
+#include "engine/small_motions/vibration/family_blades.h"
+
 namespace spoke::vibration {
 namespace {
 
@@ -90,8 +92,10 @@ class InputFinder {
   std::array<VectorXd, kAzimuths> at_azimuths(const std::function<VectorXd(int)>& value) const {
     return {value(0), value(1), value(2)};
   }
-  BladeInput see_along_blade(std::size_t input, std::size_t i) const;
-  std::vector<Open> list_inputs_of(std::size_t i) const;
+  BladeInput see_along_blade(std::size_t input, const std::vector<FamilyBlade>& blades,
+                             std::size_t b) const;
+  bool acts_on(std::size_t input, const FamilyBlade& blade) const;
+  std::vector<Open> list_inputs_of(const std::vector<FamilyBlade>& blades, std::size_t b) const;
   std::optional<VectorXd> stand(const std::array<VectorXd, kAzimuths>& wrench) const;
   void add_wrench(const LinearSignal& signal, std::size_t hub,
                   const std::array<VectorXd, kAzimuths>& wrench);
@@ -106,10 +110,13 @@ class InputFinder {
   MultiBladeInputs found_;
 };
 
-BladeInput InputFinder::see_along_blade(std::size_t input, std::size_t i) const {
-  const double azimuth = all_.model.azimuth(i);
+/// `b`: place of the blade in its family.
+BladeInput InputFinder::see_along_blade(std::size_t input, const std::vector<FamilyBlade>& blades,
+                                        std::size_t b) const {
+  const FamilyBlade& blade = blades[b];
+  const std::size_t i = blade.subsystem;
+  const double azimuth = blade.azimuth();
   const MatrixXd to_blade = T_.at(azimuth).transpose();
-  const MatrixXd turn = all_.model.turn_outputs(i, azimuth);
   const MatrixXd& Z = all_.linear.subsystem(i).basis;
   const MatrixXd following = find_following(i, all_);
   const auto take = [&](const std::function<VectorXd(const LoadEffect&)>& part) {
@@ -117,33 +124,52 @@ BladeInput InputFinder::see_along_blade(std::size_t input, std::size_t i) const 
   };
   BladeInput seen{{}, {}, {}, {}};
   seen.force = take([&](const LoadEffect& by) {
-    return Z.rows() > 0 ? VectorXd(Z.transpose() * by.force) : by.force;
+    return VectorXd(
+        blade.independent.of(Z.rows() > 0 ? VectorXd(Z.transpose() * by.force) : by.force));
   });
   seen.hub = take([&](const LoadEffect& by) {
     VectorXd on_hub = by.hub_force;
     if (following.size() > 0) on_hub += following.transpose() * by.force;
     return VectorXd(to_blade * on_hub);
   });
-  seen.outputs = take([&](const LoadEffect& by) { return VectorXd(turn * by.outputs); });
+  for (std::size_t k = 0; k < blades.size(); ++k) {
+    const FamilyBlade& other = blades[(b + k) % blades.size()];
+    if (other.subsystem != i) continue;
+    const MatrixXd turn = other.model->turn_outputs(other.own, other.azimuth());
+    seen.outputs.push_back(
+        take([&](const LoadEffect& by) { return VectorXd(turn * other.outputs.of(by.outputs)); }));
+  }
   return seen;
 }
 
-std::vector<InputFinder::Open> InputFinder::list_inputs_of(std::size_t i) const {
+/// Whether an input acts on a blade: of several that loops tie it is the one with a force.
+bool InputFinder::acts_on(std::size_t input, const FamilyBlade& blade) const {
+  constexpr double kHandedOver = 1e-9;  // of the force, as round-off by ties
+  for (int sample = 0; sample < kAzimuths; ++sample) {
+    const LoadEffect& by = effect(sample, input, blade.subsystem);
+    const bool is_alone = blade.coordinates.count == by.force.size();
+    if (is_alone ? !does_nothing(by)
+                 : blade.coordinates.of(by.force).norm() > kHandedOver * by.force.norm())
+      return true;
+  }
+  return false;
+}
+
+std::vector<InputFinder::Open> InputFinder::list_inputs_of(const std::vector<FamilyBlade>& blades,
+                                                           std::size_t b) const {
   std::vector<Open> list;
   for (std::size_t k = 0; k < count(); ++k) {
-    bool acts = false;
-    for (int sample = 0; sample < kAzimuths; ++sample)
-      acts = acts || !does_nothing(effect(sample, k, i));
-    if (!acts) continue;
-    Open& open = list.emplace_back(Open{samples_[0][k].input.name, see_along_blade(k, i)});
-    open.input.input = name(k, all_.model.name_of(i));
+    if (!acts_on(k, blades[b])) continue;
+    Open& open = list.emplace_back(Open{samples_[0][k].input.name, see_along_blade(k, blades, b)});
+    open.input.input = name(k, blades[b].name());
   }
   return list;
 }
 
 void InputFinder::add_family(const BladeFamily& family) {
+  const std::vector<FamilyBlade> blades = list_blades(family, all_);
   std::vector<std::vector<Open>> open;
-  for (const std::size_t i : family.blades) open.push_back(list_inputs_of(i));
+  for (std::size_t b = 0; b < blades.size(); ++b) open.push_back(list_inputs_of(blades, b));
   std::vector<BladeInput>& list = found_.families.emplace_back();
   for (Open& first : open[0]) {
     // Of inputs that do the same those of one name go together, and loads that name each its own

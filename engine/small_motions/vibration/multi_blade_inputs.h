@@ -19,7 +19,9 @@ struct BladeInput {
   LinearSignal input;  ///< "blades 1 to 3 / load.1"
   Turning force;       ///< on the independent coordinates of the blade
   Turning hub;         ///< on the hub, all components, along axes that are turned with the blade
-  Turning outputs;     ///< on what the blade shows, vectors along the same axes
+  /// On what the blade shows, vectors along the same axes; where loops tie it to others on what
+  /// each blade further on in their ring shows, along axes that are turned with that one.
+  std::vector<Turning> outputs;
 };
 
 /// An input whose effect stands.

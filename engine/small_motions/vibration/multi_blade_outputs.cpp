@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/small_motions/steady/output_derivatives.h"
+#include "engine/small_motions/vibration/family_blades.h"
 #include "engine/small_motions/vibration/multi_blade_inputs.h"
 
 namespace spoke::vibration {
@@ -16,26 +17,26 @@ using Eigen::MatrixXd;
 /// Returns the name of an output without that of its blade: "tip.x".
 std::string strip(const std::string& name) { return name.substr(name.find('.') + 1); }
 
-bool shows(std::size_t i, const std::string& stripped, const steady::SteadyModel& model) {
-  const std::vector<LinearSignal>& outputs = model.outputs(i);
+bool shows(const FamilyBlade& blade, const std::string& stripped) {
+  const std::vector<LinearSignal>& outputs = blade.model->outputs(blade.own);
   return std::any_of(outputs.begin(), outputs.end(),
                      [&](const LinearSignal& signal) { return strip(signal.name) == stripped; });
 }
 
 /// Returns the outputs of the first blade that all have, and lists the others.
-std::vector<Index> choose(const BladeFamily& family, const steady::SteadyModel& model,
+std::vector<Index> choose(const std::vector<FamilyBlade>& blades,
                           std::vector<std::string>& left_out) {
   std::vector<Index> chosen;
-  for (const std::size_t i : family.blades) {
-    const std::vector<LinearSignal>& outputs = model.outputs(i);
+  for (const FamilyBlade& blade : blades) {
+    const std::vector<LinearSignal>& outputs = blade.model->outputs(blade.own);
     for (std::size_t k = 0; k < outputs.size(); ++k) {
       const std::string name = strip(outputs[k].name);
       const bool is_common =
-          std::all_of(family.blades.begin(), family.blades.end(),
-                      [&](std::size_t other) { return shows(other, name, model); });
+          std::all_of(blades.begin(), blades.end(),
+                      [&](const FamilyBlade& other) { return shows(other, name); });
       if (!is_common)
         left_out.push_back(outputs[k].name);
-      else if (i == family.blades[0])
+      else if (&blade == &blades[0])
         chosen.push_back(static_cast<Index>(k));
     }
   }
@@ -67,39 +68,49 @@ MatrixXd extend(const MatrixXd& top, Index rows) {
 
 BladeOutputs find_outputs(const BladeFamily& family, const Linearised& all,
                           const StandingAxes& axes, std::vector<std::string>& left_out) {
-  const std::size_t i = family.blades[0];
-  const steady::SteadyModel& model = all.model;
-  const double azimuth = family.azimuths[0];
+  const std::vector<FamilyBlade> blades = list_blades(family, all);
+  const FamilyBlade& blade = blades[0];
+  const std::size_t i = blade.subsystem;
   BladeOutputs outputs;
-  outputs.shown = choose(family, model, left_out);
+  outputs.shown = choose(blades, left_out);
   for (const Index k : outputs.shown) {
-    const LinearSignal& signal = model.outputs(i)[static_cast<std::size_t>(k)];
+    const LinearSignal& signal = blade.model->outputs(blade.own)[static_cast<std::size_t>(k)];
     outputs.signals.push_back({strip(signal.name), signal.unit});
   }
   const steady::OutputDerivatives by =
       calc_output_derivatives(i, steady::make_state(all.equilibrium.q[i]), all.model);
   std::vector<Index> joints;
-  for (std::size_t k = 0; k < model.coordinates(i).size(); ++k) {
-    const steady::SubsystemCoordinate& coordinate = model.coordinates(i)[k];
+  for (Index k = 0; k < blade.coordinates.count; ++k) {
+    const steady::SubsystemCoordinate& coordinate =
+        blade.model->coordinates(blade.own)[static_cast<std::size_t>(k)];
     if (coordinate.node >= 0) continue;
-    joints.push_back(static_cast<Index>(k));
+    joints.push_back(blade.coordinates.first + k);
     outputs.signals.push_back({coordinate.name, coordinate.turns ? "rad" : "m"});
   }
   const Index more = std::ssize(joints);
-  const MatrixXd turn = model.turn_outputs(i, azimuth);
+  const MatrixXd turn = blade.model->turn_outputs(blade.own, family.azimuths[0]);
   const auto rows = [&](const MatrixXd& m) {
-    return extend(MatrixXd((turn * m)(outputs.shown, Eigen::all)), more);
+    const MatrixXd turned = turn * m.middleRows(blade.outputs.first, blade.outputs.count);
+    return extend(MatrixXd(turned(outputs.shown, Eigen::all)), more);
   };
   steady::OutputDerivatives all_rows{rows(by.by_q), rows(by.by_v), rows(by.by_turn),
                                      rows(by.by_twist), rows(by.by_acceleration)};
   for (Index k = 0; k < more; ++k)
     all_rows.by_q(std::ssize(outputs.shown) + k, joints[static_cast<std::size_t>(k)]) = 1.0;
   const MatrixXd& Z = all.linear.subsystem(i).basis;
-  const auto reduce = [&](const MatrixXd& m) { return Z.rows() > 0 ? MatrixXd(m * Z) : m; };
-  outputs.by_y = reduce(all_rows.by_q);
-  outputs.by_rate = reduce(all_rows.by_v);
+  const auto split = [&](const MatrixXd& m) {
+    const MatrixXd by_independent = Z.rows() > 0 ? MatrixXd(m * Z) : m;
+    std::vector<MatrixXd> parts;
+    for (const FamilyBlade& other : blades)
+      if (other.subsystem == i)
+        parts.push_back(
+            by_independent.middleCols(other.independent.first, other.independent.count));
+    return parts;
+  };
+  outputs.by_y = split(all_rows.by_q);
+  outputs.by_rate = split(all_rows.by_v);
   const SecondOrder standing = stand_columns(make_hub_columns(i, all_rows, all), axes);
-  const MatrixXd T = axes.T.at(azimuth);
+  const MatrixXd T = axes.T.at(family.azimuths[0]);
   outputs.by_hub = {standing.M * T, standing.C * T, standing.K * T};
   return outputs;
 }

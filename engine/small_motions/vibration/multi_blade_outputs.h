@@ -15,7 +15,9 @@ namespace spoke::vibration {
 /// are along axes that are turned with the blade about the hub's.
 struct BladeOutputs {
   std::vector<LinearSignal> signals;  ///< without the name of the blade
-  Eigen::MatrixXd by_y, by_rate;      ///< by the independent coordinates of the blade
+  /// By the independent coordinates of the blade, and where loops tie it to others by those of each
+  /// blade further on in their ring.
+  std::vector<Eigen::MatrixXd> by_y, by_rate;
   /// By all components of the hub's motion along standing axes, seen from the blade: see
   /// stand_columns().
   SecondOrder by_hub;

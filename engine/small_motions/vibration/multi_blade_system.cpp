@@ -4,12 +4,14 @@
 
 #include <cassert>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "engine/small_motions/steady/joined_rotors.h"
 #include "engine/small_motions/steady/output_derivatives.h"
 #include "engine/small_motions/steady/state_space.h"
 #include "engine/small_motions/vibration/blade_amplitude.h"
+#include "engine/small_motions/vibration/family_blades.h"
 #include "engine/small_motions/vibration/fixed_modes.h"
 #include "engine/small_motions/vibration/multi_blade_inputs.h"
 #include "engine/small_motions/vibration/multi_blade_outputs.h"
@@ -28,6 +30,25 @@ struct Group {
   std::vector<std::size_t> patterns;
   bool has_hub = false;
 };
+
+/// By an amplitude itself, and by the other one of its pair.
+struct RingSums {
+  MatrixXd by_same, by_partner;
+};
+
+/// Returns 1 of a cosine, whose partner comes behind it, and -1 of a sine.
+double side_of(const Amplitude& amplitude) { return amplitude.is_sine ? -1.0 : 1.0; }
+
+Amplitude partner_of(Amplitude amplitude) {
+  amplitude.is_sine = !amplitude.is_sine;
+  return amplitude;
+}
+
+/// Returns n times the angle to the blade of a ring that is `k` further on.
+double turn_to(std::size_t k, const Amplitude& amplitude, std::size_t blades) {
+  return amplitude.multiple * 2.0 * std::numbers::pi * static_cast<double>(k) /
+         static_cast<double>(blades);
+}
 
 class MultiBladeAssembly {
  public:
@@ -52,7 +73,7 @@ class MultiBladeAssembly {
     return all_.linear.support ? &*all_.linear.support : nullptr;
   }
   double blades_of(std::size_t family) const {
-    return static_cast<double>(frame_.families[family].blades.size());
+    return static_cast<double>(frame_.families[family].azimuths.size());
   }
   const Hub& hub_of(std::size_t family) const { return hubs_[frame_.families[family].rotor]; }
   std::vector<Hub> find_hubs() const;
@@ -70,6 +91,7 @@ class MultiBladeAssembly {
   void add_group(const Group& group);
   void add_hub_rows(Index row, const SecondOrder& by_hub);
   void add_blade_outputs(std::size_t family);
+  MatrixXd show(const BladeInput& input, const Amplitude& to, const Amplitude& by) const;
   void add_pattern_outputs(std::size_t family, const BladeOutputs& outputs, const Amplitude& to);
   void add_support_outputs();
   void add_hub_outputs();
@@ -149,7 +171,7 @@ void MultiBladeAssembly::name_states() {
     const std::string of = name_family(family, all_.model) + " / ";
     for (const Amplitude& amplitude : amplitudes_[f])
       for (const steady::SubsystemCoordinate& coordinate :
-           list_independent(family.blades[0], all_.linear, all_.model))
+           list_independent(list_blades(family, all_)[0], all_.linear))
         states.push_back(
             {of + coordinate.name + ' ' + amplitude.name, coordinate.turns ? "rad" : "m"});
   }
@@ -294,6 +316,33 @@ void MultiBladeAssembly::add_hub_rows(Index row, const SecondOrder& by_hub) {
   D_.add(row, 0, by_hub.M * hub_by_input_);
 }
 
+/// Sums up derivatives by the blades of a ring, by how far each is on: the one at psi + 2 pi k/N
+/// has the values a_c cos n psi_k + a_s sin n psi_k.
+RingSums sum_ring(const std::vector<MatrixXd>& by, const Amplitude& to) {
+  RingSums sums{MatrixXd::Zero(by[0].rows(), by[0].cols()), {}};
+  sums.by_partner = sums.by_same;
+  for (std::size_t k = 0; k < by.size(); ++k) {
+    const double angle = turn_to(k, to, by.size());
+    sums.by_same += std::cos(angle) * by[k];
+    if (to.size() > 1.0) sums.by_partner += side_of(to) * std::sin(angle) * by[k];
+  }
+  return sums;
+}
+
+/// Returns what an amplitude of an input adds to one of the outputs, of all blades that it moves.
+MatrixXd MultiBladeAssembly::show(const BladeInput& input, const Amplitude& to,
+                                  const Amplitude& by) const {
+  const std::size_t count = input.outputs.size();
+  MatrixXd shown = MatrixXd::Zero(input.outputs[0].mean.rows(), input.outputs[0].mean.cols());
+  for (std::size_t k = 0; k < count; ++k) {
+    const double angle = turn_to(k, to, count);
+    shown += std::cos(angle) * average(to, by).of(input.outputs[k]);
+    if (to.size() > 1.0)
+      shown -= side_of(to) * std::sin(angle) * average(partner_of(to), by).of(input.outputs[k]);
+  }
+  return to.size() * shown;
+}
+
 /// Adds an amplitude of what blades show: as y = a_c cos n psi + a_s sin n psi,
 /// y' = (a_c' + n W a_s) cos n psi + (a_s' - n W a_c) sin n psi.
 void MultiBladeAssembly::add_pattern_outputs(std::size_t family, const BladeOutputs& outputs,
@@ -302,24 +351,21 @@ void MultiBladeAssembly::add_pattern_outputs(std::size_t family, const BladeOutp
   const std::string of = name_family(frame_.families[family], all_.model) + " / ";
   for (const LinearSignal& signal : outputs.signals)
     add_output({of + signal.name + ' ' + to.name, signal.unit});
-  C_.add(row, to.at, outputs.by_y);
-  C_.add(row, size_ + to.at, outputs.by_rate);
+  const RingSums by_y = sum_ring(outputs.by_y, to), by_rate = sum_ring(outputs.by_rate, to);
+  C_.add(row, to.at, by_y.by_same);
+  C_.add(row, size_ + to.at, by_rate.by_same);
   if (to.size() > 1.0) {
-    const Index partner = outputs.by_y.cols();
-    const double rate = to.multiple * hub_of(family).axes.speed;
-    if (to.is_sine)
-      C_.add(row, to.at - partner, -rate * outputs.by_rate);
-    else
-      C_.add(row, to.at + partner, rate * outputs.by_rate);
+    const Index partner = to.at + static_cast<Index>(side_of(to)) * outputs.by_y[0].cols();
+    const double rate = side_of(to) * to.multiple * hub_of(family).axes.speed;
+    C_.add(row, partner, by_y.by_partner);
+    C_.add(row, size_ + partner, by_rate.by_partner);
+    C_.add(row, partner, rate * by_rate.by_same);
+    C_.add(row, to.at, -rate * by_rate.by_partner);
   }
-  const std::vector<BladeInput>& inputs = inputs_.families[family];
-  const std::vector<Amplitude>& amplitudes = amplitudes_[family];
   Index column = first_inputs_[family];
-  for (const BladeInput& input : inputs)
-    for (const Amplitude& by : amplitudes) {
-      const MatrixXd shown = to.size() * average(to, by).of(input.outputs);
-      D_.add(row, column++, shown(outputs.shown, Eigen::all));
-    }
+  for (const BladeInput& input : inputs_.families[family])
+    for (const Amplitude& by : amplitudes_[family])
+      D_.add(row, column++, MatrixXd(show(input, to, by)(outputs.shown, Eigen::all)));
   if (hub_size() == 0 || to.is_differential || to.multiple > 1) return;
   const Turning& T = hub_of(family).axes.T;
   const MatrixXd turn = (to.multiple == 0 ? T.mean
@@ -381,9 +427,6 @@ LinearSystem MultiBladeAssembly::make() {
                        all_.model.name_of(frame_.families[f].blades[0]) +
                        ", whose sensors and loads turn with it: expected \"turning\", with "
                        "bearings that are alike in all directions");
-    if (frame_.families[f].ring.is_tied)
-      throw InputError("the frame \"fixed\" expects blades that no loops tie to one another, got " +
-                       all_.model.name_of(frame_.families[f].blades[0]) + ": their modes have it");
     amplitudes_.push_back(list_amplitudes(f));
   }
   name_states();

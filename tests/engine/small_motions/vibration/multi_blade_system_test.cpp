@@ -111,6 +111,21 @@ stiffness = 60.0
 damping = 1.0
 )";
 }
+/// Springs and dampers from each blade to the next one, askew, and a soft coupling of their hinges.
+const std::string kRing = R"(
+[[blade.loop]]
+name = "damper"
+kind = "distance"
+from = { station = 0.75, point = [0.0, 0.1, 0.02] }
+to = { blade = "next", station = 0.75, point = [0.0, -0.05, 0.0] }
+stiffness = 80.0
+damping = 3.0
+[[blade.coupling]]
+name = "linkage"
+joints = [{ joint = "flap", ratio = 1.0 }, { blade = "next", joint = "flap", ratio = -0.6 }]
+stiffness = 15.0
+damping = 0.4
+)";
 const std::string kMastSensor = R"(
 [[sensor]]
 name = "top"
@@ -143,8 +158,9 @@ time = [0.0, 1.0]
 factor = [0.0, 0.0]
 )";
 Scenario make_scenario(const std::string& text) { return parse_scenario(text, "rotor.toml"); }
-Scenario make_machine(int blades, const std::string& more = "") {
-  return make_scenario(kRotorHub + kConstant + kMast + blades_of(blades) + kMastSensor +
+/// `ring`: what ties the blades.
+Scenario make_machine(int blades, const std::string& more = "", const std::string& ring = "") {
+  return make_scenario(kRotorHub + kConstant + kMast + blades_of(blades) + ring + kMastSensor +
                        kBladeSensors + more + kEnd);
 }
 
@@ -157,38 +173,46 @@ MatrixXcd transfer(const LinearSystem& system, Complex s) {
 }
 
 TEST_CASE("multi-blade system: its eigenvalues are those of the modes, of the fixed frame") {
-  for (const int blades : {3, 4, 5}) {
-    CAPTURE(blades);
-    const Scenario scenario = make_machine(blades);
-    const LinearSystem system = solve_linear_system(scenario);
-    CHECK(system.frame == ModeFrame::fixed);
-    const Eigen::VectorXcd roots = MatrixXd(system.A).eigenvalues();
-    const ModesResult modes = solve_modes(scenario, {.count = 14});
-    for (const Mode& mode : modes.modes) {
-      CAPTURE(mode.name);
-      CHECK((roots.array() - mode.eigenvalue).abs().minCoeff() < 1e-6 * std::abs(mode.eigenvalue));
+  for (const std::string& ring : {std::string(), kRing})
+    for (const int blades : {3, 4, 5}) {
+      CAPTURE(ring);
+      CAPTURE(blades);
+      const Scenario scenario = make_machine(blades, "", ring);
+      const LinearSystem system = solve_linear_system(scenario);
+      CHECK(system.frame == ModeFrame::fixed);
+      const Eigen::VectorXcd roots = MatrixXd(system.A).eigenvalues();
+      const ModesResult modes = solve_modes(scenario, {.count = 14});
+      for (const Mode& mode : modes.modes) {
+        CAPTURE(mode.name);
+        CHECK((roots.array() - mode.eigenvalue).abs().minCoeff() <
+              1e-6 * std::abs(mode.eigenvalue));
+      }
     }
-  }
 }
 
 TEST_CASE("multi-blade system: signals have names, and only what is constant is there") {
-  const LinearSystem system = solve_linear_system(make_machine(
-      4,
-      "[[load]]\nframe = \"body\"\nforce = [0.0, 0.0, 1.0]\n[[load]]\nblade = 2\nframe = \"body\"\n"
-      "force = [0.0, 1.0, 0.0]\nfactor = [0.0, 0.0]\ntime = [0.0, 1.0]\n"));
-  CHECK(system.states[0].name == "support / mast / node 1 / u");
-  find(system.states, "blades 1 to 4 / flap cosine");
-  find(system.states, "rate of blades 1 to 4 / flap differential");
-  for (const std::string which : {"collective", "cosine", "sine", "differential"}) {
-    input_of(system, "blades 1 to 4 / load.1 " + which);
-    input_of(system, "blades 1 to 4 / flap motor " + which);
-    output_of(system, "blades 1 to 4 / near.moment.y " + which);
-    output_of(system, "blades 1 to 4 / flap " + which);
+  for (const std::string& ring : {std::string(), kRing}) {
+    CAPTURE(ring);
+    const LinearSystem system = solve_linear_system(
+        make_machine(4,
+                     "[[load]]\nframe = \"body\"\nforce = [0.0, 0.0, 1.0]\n[[load]]\nblade = "
+                     "2\nframe = \"body\"\n"
+                     "force = [0.0, 1.0, 0.0]\nfactor = [0.0, 0.0]\ntime = [0.0, 1.0]\n",
+                     ring));
+    CHECK(system.states[0].name == "support / mast / node 1 / u");
+    find(system.states, "blades 1 to 4 / flap cosine");
+    find(system.states, "rate of blades 1 to 4 / flap differential");
+    for (const std::string which : {"collective", "cosine", "sine", "differential"}) {
+      input_of(system, "blades 1 to 4 / load.1 " + which);
+      input_of(system, "blades 1 to 4 / flap motor " + which);
+      output_of(system, "blades 1 to 4 / near.moment.y " + which);
+      output_of(system, "blades 1 to 4 / flap " + which);
+    }
+    input_of(system, "hub / force x");
+    output_of(system, "support.top.x");
+    output_of(system, "rate of hub / rotation y");
+    CHECK(system.left_out_inputs == std::vector<std::string>{"blade 2 / load.2"});
   }
-  input_of(system, "hub / force x");
-  output_of(system, "support.top.x");
-  output_of(system, "rate of hub / rotation y");
-  CHECK(system.left_out_inputs == std::vector<std::string>{"blade 2 / load.2"});
 }
 
 /// Returns a scenario whose load number k is constant.
@@ -387,17 +411,20 @@ void compare(const LinearSystem& system, const MatrixXd& linear, const Run& run,
 
 TEST_CASE("multi-blade system: a run under small loads answers likewise") {
   constexpr double kSmall = 5e-4;
-  const Scenario scenario = make_machine(3, kEndedLoads);
-  const LinearSystem system = solve_linear_system(scenario);
-  const auto check = [&](const std::string& input, const Scenario& loaded) {
-    CAPTURE(input);
-    compare(system, simulate_linear(system, input_of(system, input), kSmall), run(loaded), 2e-4);
-  };
-  for (const std::string which : {"collective", "cosine", "sine"})
-    check("blades 1 to 3 / load.1 " + which, with_pattern(scenario, 0, which, kSmall));
-  check("support / load.2", with_rising(scenario, 1, kSmall));
-  // Of constant direction, on all blades: a pattern by itself.
-  check("blades 1 to 3 / load.3 collective", with_rising(scenario, 2, kSmall));
+  for (const std::string& ring : {std::string(), kRing}) {
+    CAPTURE(ring);
+    const Scenario scenario = make_machine(3, kEndedLoads, ring);
+    const LinearSystem system = solve_linear_system(scenario);
+    const auto check = [&](const std::string& input, const Scenario& loaded) {
+      CAPTURE(input);
+      compare(system, simulate_linear(system, input_of(system, input), kSmall), run(loaded), 2e-4);
+    };
+    for (const std::string which : {"collective", "cosine", "sine"})
+      check("blades 1 to 3 / load.1 " + which, with_pattern(scenario, 0, which, kSmall));
+    check("support / load.2", with_rising(scenario, 1, kSmall));
+    // Of constant direction, on all blades: a pattern by itself.
+    check("blades 1 to 3 / load.3 collective", with_rising(scenario, 2, kSmall));
+  }
 }
 
 TEST_CASE("multi-blade system: a drive that is a torque acts between hub and support") {
@@ -432,33 +459,43 @@ TEST_CASE("multi-blade system: what the hub yields to forces is reciprocal, of r
 }
 
 TEST_CASE("multi-blade system: of a rotor on an axle blades answer as in the turning frame") {
-  const Scenario scenario =
-      make_scenario(kRotorHub + kConstant + blades_of(3) + kBladeSensors + kEndedLoad + kEnd);
-  const LinearSystem turning = solve_linear_system(scenario);
-  CHECK(turning.frame == ModeFrame::turning);
-  const LinearSystem fixed = solve_linear_system(scenario, {}, ModeFrame::fixed);
-  CHECK(fixed.states.size() == turning.states.size());
-  constexpr double kFrequency = 11.0;
-  const auto blade = [&](double w, const std::string& output) {
-    return transfer(turning, w * kI)(output_of(turning, "blade1." + output),
-                                     input_of(turning, "blade 1 / load.1"));
-  };
-  const MatrixXcd all = transfer(fixed, kFrequency * kI);
-  for (const std::string output :
-       {"along.x", "along.y", "along.z", "near.force.x", "near.moment.y"}) {
-    CAPTURE(output);
-    const Complex plus = blade(kFrequency + kRate, output);
-    const Complex minus = blade(kFrequency - kRate, output);
-    const auto check = [&](const std::string& to, const std::string& by, Complex known) {
-      const Complex found = all(output_of(fixed, "blades 1 to 3 / " + output + ' ' + to),
-                                input_of(fixed, "blades 1 to 3 / load.1 " + by));
-      CHECK(std::abs(found - known) < 1e-8 * (std::abs(plus) + std::abs(minus)));
+  for (const std::string& ring : {std::string(), kRing}) {
+    CAPTURE(ring);
+    constexpr int blades = 3;
+    const Scenario scenario = make_scenario(kRotorHub + kConstant + blades_of(blades) + ring +
+                                            kBladeSensors + kEndedLoad + kEnd);
+    const LinearSystem turning = solve_linear_system(scenario);
+    CHECK(turning.frame == ModeFrame::turning);
+    const LinearSystem fixed = solve_linear_system(scenario, {}, ModeFrame::fixed);
+    CHECK(fixed.states.size() == turning.states.size());
+    constexpr double kFrequency = 11.0;
+    // Blade 1 under loads on all blades, whose phases go with n times their azimuths from it.
+    const auto blade = [&](double w, int n, const std::string& output) {
+      const MatrixXcd all = transfer(turning, w * kI);
+      Complex sum = 0.0;
+      for (int b = 0; b < blades; ++b)
+        sum += std::polar(1.0, 2.0 * std::numbers::pi * n * b / blades) *
+               all(output_of(turning, "blade1." + output),
+                   input_of(turning, "blade " + std::to_string(b + 1) + " / load.1"));
+      return sum;
     };
-    check("collective", "collective", blade(kFrequency, output));
-    check("cosine", "cosine", 0.5 * (plus + minus));
-    check("sine", "cosine", 0.5 * kI * (plus - minus));
-    check("cosine", "sine", -0.5 * kI * (plus - minus));
-    check("sine", "collective", 0.0);
+    const MatrixXcd all = transfer(fixed, kFrequency * kI);
+    for (const std::string output :
+         {"along.x", "along.y", "along.z", "near.force.x", "near.moment.y", "shake.z"}) {
+      CAPTURE(output);
+      const Complex plus = blade(kFrequency + kRate, 1, output);
+      const Complex minus = blade(kFrequency - kRate, -1, output);
+      const auto check = [&](const std::string& to, const std::string& by, Complex known) {
+        const Complex found = all(output_of(fixed, "blades 1 to 3 / " + output + ' ' + to),
+                                  input_of(fixed, "blades 1 to 3 / load.1 " + by));
+        CHECK(std::abs(found - known) < 1e-7 * (std::abs(plus) + std::abs(minus)));
+      };
+      check("collective", "collective", blade(kFrequency, 0, output));
+      check("cosine", "cosine", 0.5 * (plus + minus));
+      check("sine", "cosine", 0.5 * kI * (plus - minus));
+      check("cosine", "sine", -0.5 * kI * (plus - minus));
+      check("sine", "collective", 0.0);
+    }
   }
 }
 
