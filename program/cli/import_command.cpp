@@ -4,6 +4,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "engine/output_file.h"
@@ -19,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kKind =
-    "a file of BeamDyn, ElastoDyn or AeroDyn, or an ontology of WindIO (YAML)";
+    "a file of OpenFAST or of one of its modules, or an ontology of WindIO (YAML)";
 
 void print_lines(const char* label, const std::vector<std::string>& texts) {
   for (std::size_t i = 0; i < texts.size(); ++i) print_line(i == 0 ? label : "", texts[i]);
@@ -68,6 +69,11 @@ class NewFolder {
   std::optional<UnfinishedFile> unfinished_;  ///< the folder, for signals
 };
 
+/// Whether a table lies in the folder of the aerofoils, not beside the scenario.
+bool is_in_folder(const foreign::SourceFile& table) {
+  return fs::path(table.name).has_parent_path();
+}
+
 /// Writes the scenario and its tables; all of them lie beside their places before the first takes
 /// its own.
 void write_files(const std::string& out, const foreign::Imported& imported,
@@ -77,7 +83,8 @@ void write_files(const std::string& out, const foreign::Imported& imported,
   for (const foreign::SourceFile& table : imported.tables)
     require_place(folder / table.name, kImportedPolar);
   std::optional<NewFolder> made;
-  if (!imported.tables.empty()) made.emplace(folder / tables);
+  if (std::any_of(imported.tables.begin(), imported.tables.end(), is_in_folder))
+    made.emplace(folder / tables);
   std::vector<FileText> files;
   for (const foreign::SourceFile& table : imported.tables)
     files.push_back({(folder / table.name).string(), table.text});
@@ -91,21 +98,29 @@ void write_files(const std::string& out, const foreign::Imported& imported,
 int import_scenario(const Arguments& arguments, const ImportArguments& own) {
   std::vector<foreign::SourceFile> files;
   for (const std::string& file : own.files) files.push_back({file, read_text(file, kKind)});
-  const std::string tables = fs::path(arguments.out).stem().string() + "_airfoils";
-  const foreign::Imported imported =
-      foreign::import_files(files, [](const std::string& name) { return read_text(name, kKind); },
-                            {own.length, own.height, tables});
+  const std::string name = fs::path(arguments.out).stem().string(), tables = name + "_airfoils";
+  foreign::ImportOptions options;
+  options.blade_length = own.length;
+  options.tower_height = own.height;
+  options.airfoil_folder = tables;
+  options.wind_table = name + "_wind.txt";
+  options.folder = fs::path(arguments.out).parent_path().string();
+  const foreign::Imported imported = foreign::import_files(
+      files, [](const std::string& file) { return read_text(file, kKind); }, options);
   write_files(arguments.out, imported, tables);
   print_title(imported.scenario.title);
   print_lines("read", imported.sources);
   print_model(*imported.scenario.space);
   print_lines("left out", imported.left_out);
   warn_of_oddities(arguments.out, imported.scenario);
-  print_line("written",
-             imported.tables.empty()
-                 ? arguments.out
-                 : fmt::format("{}, {} tables in {}", arguments.out, imported.tables.size(),
-                               (fs::path(arguments.out).parent_path() / tables).string()));
+  std::string written = arguments.out;
+  const auto in_folder =
+      std::count_if(imported.tables.begin(), imported.tables.end(), is_in_folder);
+  if (in_folder > 0)
+    written += fmt::format(", {} tables in {}", in_folder,
+                           (fs::path(arguments.out).parent_path() / tables).string());
+  if (in_folder < std::ssize(imported.tables)) written += ", " + options.wind_table;
+  print_line("written", written);
   return 0;
 }
 

@@ -73,10 +73,10 @@ void add_aerodyn_blade(const std::vector<AeroDynNode>& nodes, const std::string&
       "are from the blade's axis, along the chord.");
   constexpr double small = 0.01;  // [m]
   if (off_chord > small)
-    model.left_out.push_back(file +
-                             ": what the aerodynamic centre is off the chord through the "
-                             "blade's axis, up to " +
-                             fmt::format("{:.3g} m", off_chord));
+    model.leave_out(Loss::theory, file +
+                                      ": what the aerodynamic centre is off the chord through the "
+                                      "blade's axis, up to " +
+                                      fmt::format("{:.3g} m", off_chord));
 }
 
 }  // namespace spoke::foreign

@@ -44,11 +44,12 @@ void read_models(KeyedLines& reader, FoundModel& model) {
                           "\", expected a whole number from 0 to 3, or from 10 to 12");
   if (wake >= kOtherBalance) {
     wake -= kOtherBalance;
-    model.left_out.push_back(from + ": momentum theory for large cone and prebend (BEM_Mod 2)");
+    model.leave_out(Loss::theory,
+                    from + ": momentum theory for large cone and prebend (BEM_Mod 2)");
   }
   air.induction = {wake == 0 ? "none" : "momentum", from};
   if (wake == 3)
-    model.left_out.push_back(from + ": the free vortex wake; induction is by momentum theory");
+    model.leave_out(Loss::theory, from + ": the free vortex wake; induction is by momentum theory");
   air.inflow = {wake == 2 ? "dynamic" : "quasi_steady", from};
   if (is_new && reader.has("DBEMT_Mod"))
     air.inflow = {read_switch(reader, "DBEMT_Mod", -1, 3, 0) > 0 ? "dynamic" : "quasi_steady",
@@ -63,17 +64,25 @@ void read_models(KeyedLines& reader, FoundModel& model) {
 /// Says which parts of AeroDyn's theory are not in the scenario.
 void note_theory(KeyedLines& reader, FoundModel& model) {
   const std::string file = reader.lines().file();
-  model.left_out.push_back(
-      file +
-      ": the tower's influence and drag, buoyancy, noise, cavitation, drag in the induction, "
-      "interpolation of polars that is not linear, parameters of the unsteady models, constants of "
-      "the skewed wake, direction of the sections (BlCrvAng), which is that of the blade's axis, "
-      "and outputs; blade 1 stands for all");
+  model.leave_out(Loss::theory, file +
+                                    ": drag in the induction, interpolation of polars that is not "
+                                    "linear, parameters of the unsteady models, constants of "
+                                    "the skewed wake, direction of the sections (BlCrvAng), which "
+                                    "is that of the blade's axis; "
+                                    "blade 1 stands for all");
+  model.leave_out(Loss::detail, file + ": noise, cavitation, outputs");
+  constexpr std::pair<const char*, const char*> kLoads[] = {
+      {"Buoyancy", "buoyancy"}, {"NacelleDrag", "drag of the nacelle"}, {"TFinAero", "a tail fin"}};
+  for (const auto& [key, what] : kLoads)
+    if (reader.has(key) && !reader.is_off(key))
+      model.leave_out(Loss::part,
+                      std::string(key) + " True, " + reader.lines().place() + ": " + what);
   for (const char* key : {"TipLoss", "HubLoss", "TanInd"})
     if (reader.is_off(key))
-      model.left_out.push_back(std::string(key) + " False, " + reader.lines().place() +
-                               ": the scenario's momentum theory has losses at tip and root, and "
-                               "swirl");
+      model.leave_out(Loss::theory,
+                      std::string(key) + " False, " + reader.lines().place() +
+                          ": the scenario's momentum theory has losses at tip and root, and "
+                          "swirl");
 }
 
 /// Requires that a quantity stands in the column in which tables are read.

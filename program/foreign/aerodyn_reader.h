@@ -37,6 +37,10 @@ AeroDynPrimary read_aerodyn_primary(const SourceFile& source, FoundModel& model)
 /// Reads a blade file, which may use so many aerofoils. Throws InputError with file and line.
 std::vector<AeroDynNode> read_aerodyn_blade(const SourceFile& source, std::size_t airfoils);
 
+/// Reads from a primary file what the model's tower does to the air; `foot`: its height over the
+/// ground [m]. Throws InputError with file and line.
+void read_aerodyn_tower(const SourceFile& source, double foot, FoundModel& model);
+
 /// Polars of an aerofoil's file.
 struct AeroDynPolars {
   FoundPolars polars;

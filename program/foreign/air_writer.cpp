@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "program/foreign/control_writer.h"
+
 namespace spoke::foreign {
 namespace {
 
@@ -18,7 +20,28 @@ void write_value(const char* key, const Value& value, Toml& toml) {
     toml.comment(std::string(key) + " is the scenario's default: " + value.from);
 }
 
-void write_wind(const FoundAir& air, const WindPlace& place, Toml& toml) {
+/// The wind that the files have.
+void write_found_wind(const FoundAir& air, const ScenarioPlaces* files, const WindPlace& place,
+                      Toml& toml) {
+  const FoundWind& wind = *air.wind;
+  toml.table("[wind]");
+  toml.key("velocity", digits(wind.velocity), wind.velocity_from + " (m/s)");
+  const bool has_table = !wind.table.empty();
+  if (files && has_table) toml.key("file", quoted(files->wind), wind.from);
+  if (files && !wind.file.empty())
+    toml.key("file", quoted(path_from(files->folder, wind.file)), wind.from);
+  if (air.shear.number > 0.0) toml.key("shear_exponent", digits(air.shear.number), air.shear.from);
+  if (wind.vertical_shear != 0.0)
+    toml.key("vertical_shear", digits(wind.vertical_shear), "by RefLength (1/m)");
+  if (wind.horizontal_shear != 0.0)
+    toml.key("horizontal_shear", digits(wind.horizontal_shear), "by RefLength (1/m)");
+  if (wind.has_profile)
+    toml.key("reference_height", digits(air.reference_height.number), air.reference_height.from);
+  if (!place.ground.from.empty())
+    toml.key("ground", digits(place.ground.number), place.ground.from);
+}
+
+void write_still_air(const FoundAir& air, const WindPlace& place, Toml& toml) {
   if (!place.ground.from.empty()) {
     toml.table("[wind]");
     toml.key("velocity", "[0, 0, 0]",
@@ -55,14 +78,17 @@ std::string airfoil_path(const std::string& folder, const std::string& name) {
   return folder + '/' + name + ".txt";
 }
 
-void write_blade_air(const FoundAir& air, const Value& pitch, Toml& toml) {
-  toml.table("[[blade.joint]]");
-  toml.key("name", "\"pitch\"");
-  toml.key("station", "0");
-  toml.key("kind", "\"revolute\"");
-  toml.key("axis", "[1, 0, 0]");
-  toml.key("motion", "{ constant = " + digits(pitch.number) + " }",
-           pitch.from.empty() ? "not in the files" : pitch.from + ", in rad, negative to feather");
+void write_tower_air(const FoundTowerAir& tower, Toml& toml) {
+  toml.table("[support.body.drag]");
+  toml.comment("station is " + tower.from);
+  toml.numbers("station", tower.station);
+  toml.numbers("diameter", tower.diameter);
+  toml.numbers("coefficient", tower.coefficient);
+  toml.key("potential", quoted(std::string(tower.potential.word)), tower.potential.from);
+  toml.key("shadow", quoted(std::string(tower.shadow.word)), tower.shadow.from);
+}
+
+void write_blade_air(const FoundAir& air, Toml& toml) {
   toml.table("[blade.aerodynamics]");
   for (const std::string& remark : air.remarks) toml.comment(remark);
   std::vector<std::string> stations, names;
@@ -77,7 +103,8 @@ void write_blade_air(const FoundAir& air, const Value& pitch, Toml& toml) {
   toml.key("airfoil", '[' + list + ']');
 }
 
-void write_air(const FoundAir& air, const std::string& folder, const WindPlace& place, Toml& toml) {
+void write_air(const FoundAir& air, const ScenarioPlaces* files, const WindPlace& place,
+               Toml& toml) {
   toml.table("[air]");
   write_value("density", air.density, toml);
   write_value("viscosity", air.viscosity, toml);
@@ -88,14 +115,17 @@ void write_air(const FoundAir& air, const std::string& folder, const WindPlace& 
   write("induction", air.induction);
   write("inflow", air.inflow);
   write("stall", air.stall);
-  write_wind(air, place, toml);
+  if (air.wind)
+    write_found_wind(air, files, place, toml);
+  else
+    write_still_air(air, place, toml);
   for (const FoundAirfoil& found : air.airfoils) {
     toml.table("[[airfoil]]");
     toml.key("name", quoted(found.airfoil.name));
-    if (folder.empty())
+    if (!files)
       write_polars(found.airfoil, toml);
     else
-      toml.key("file", quoted(airfoil_path(folder, found.airfoil.name)), found.from);
+      toml.key("file", quoted(airfoil_path(files->airfoils, found.airfoil.name)), found.from);
   }
 }
 

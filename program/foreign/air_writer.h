@@ -5,6 +5,7 @@
 #include <string>
 
 #include "program/foreign/found_air.h"
+#include "program/foreign/scenario_writer.h"
 #include "program/foreign/toml_text.h"
 
 namespace spoke::foreign {
@@ -12,9 +13,11 @@ namespace spoke::foreign {
 /// Returns the place of an aerofoil's table, relative to the scenario's folder.
 std::string airfoil_path(const std::string& folder, const std::string& name);
 
-/// Writes [[blade.joint]], by which the blades pitch, and [blade.aerodynamics]. `pitch`: about
-/// +x [rad].
-void write_blade_air(const FoundAir& air, const Value& pitch, Toml& toml);
+/// Writes [blade.aerodynamics].
+void write_blade_air(const FoundAir& air, Toml& toml);
+
+/// Writes [support.body.drag] of the body before it.
+void write_tower_air(const FoundTowerAir& tower, Toml& toml);
 
 /// Where the rotor stands in the wind.
 struct WindPlace {
@@ -22,8 +25,8 @@ struct WindPlace {
   Value ground;          ///< its coordinate along z [m]; unknown where it says no source
 };
 
-/// Writes [air], [aerodynamics], [wind] and [[airfoil]]; these name tables in `folder`, or have the
-/// polars themselves if it is empty.
-void write_air(const FoundAir& air, const std::string& folder, const WindPlace& place, Toml& toml);
+/// Writes [air], [aerodynamics], [wind] and [[airfoil]]; without `files` polars stand in the text.
+void write_air(const FoundAir& air, const ScenarioPlaces* files, const WindPlace& place,
+               Toml& toml);
 
 }  // namespace spoke::foreign

@@ -5,10 +5,13 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "models/spatial_model.h"
 #include "program/foreign/found_air.h"
+#include "program/foreign/found_control.h"
+#include "program/foreign/left_out.h"
 #include "program/foreign/value.h"
 
 namespace spoke::foreign {
@@ -45,7 +48,7 @@ struct FoundDamping {
 struct Nacelle {
   Value mass;                             ///< [kg], > 0
   Eigen::Vector3d center{0.0, 0.0, 0.0};  ///< from the tower's top, x downwind, z up [m]
-  Value inertia;                          ///< about its centre, every axis [kg m^2], > 0
+  Value inertia;                          ///< about the vertical through its centre [kg m^2], > 0
   Eigen::Vector3d hub{0.0, 0.0, 0.0};     ///< the hub's place, likewise [m]
   double tilt = 0.0;                      ///< rotation of the shaft about +y [rad]
   std::string center_from, hub_from, tilt_from;
@@ -74,8 +77,22 @@ struct FoundModel {
   std::optional<FoundTrain> train;  ///< only with a nacelle; none: the shaft is rigid
   FoundDamping damping;
   std::optional<FoundAir> air;
-  Value pitch;                        ///< of the blades about +x [rad]; used where there is air
-  std::vector<std::string> left_out;  ///< what could not be carried over, a sentence each
+  /// Of the blades at the start about +x [rad]; used where there is air or control.
+  Value pitch;
+  std::optional<FoundManeuver> pitch_maneuver;  ///< likewise about +x
+  Value azimuth;                                ///< of blade 1 at the start, 0: upright [rad]
+  FoundYaw yaw;
+  Value gear_ratio{1.0, {}};    ///< turns of the generator for one of the hub
+  bool holds_speed = false;     ///< whether the generator turns at one speed, whatever acts on it
+  bool has_yaw_spring = false;  ///< whether the nacelle moves on its yaw spring
+  std::optional<FoundGenerator> generator;  ///< none: the drive holds `speed`
+  std::optional<FoundLibrary> library;
+  Value duration, interval;       ///< of a run and of its results [s]; 0: not in the files
+  std::vector<LeftOut> left_out;  ///< what could not be carried over
+
+  /// Whether the blades have a pitch joint.
+  bool has_pitch() const { return air || library || pitch_maneuver || pitch.number != 0.0; }
+  void leave_out(Loss loss, std::string text) { left_out.push_back({loss, std::move(text)}); }
 };
 
 }  // namespace spoke::foreign

@@ -164,9 +164,10 @@ void read_elastodyn_blade(const SourceFile& source, const Value& length, FoundMo
   model.damping.ratios = {head.ratios[0], head.ratios[2], head.ratios[1]};
   model.damping.from = "BldFlDmp1, BldEdDmp1, BldFlDmp2, " + place(source.name, head.line) +
                        " and before: first flap, first edge, second flap in this order";
-  model.left_out.push_back(source.name + ": mode shapes, since Spoke finds its own" +
-                           (any_tuner(tuners) ? ", with FlStTunr, which belongs to them" : "") +
-                           "; the blade is straight, as ElastoDyn has it");
+  model.leave_out(Loss::detail,
+                  source.name + ": mode shapes, since Spoke finds its own" +
+                      (any_tuner(tuners) ? ", with FlStTunr, which belongs to them" : "") +
+                      "; the blade is straight, as ElastoDyn has it");
 }
 
 void read_elastodyn_tower(const SourceFile& source, const Value& height, FoundModel& model) {
@@ -206,12 +207,13 @@ void read_elastodyn_tower(const SourceFile& source, const Value& height, FoundMo
     model.damping.from = "TwrFADmp(1), TwrSSDmp(1), TwrFADmp(2), TwrSSDmp(2), " +
                          place(source.name, head.line) + " and before, in the order of frequencies";
   } else {
-    model.left_out.push_back(source.name +
-                             ": damping of the tower, since [damping] is of all "
-                             "beams and that of the blades is taken");
+    model.leave_out(Loss::value, source.name +
+                                     ": damping of the tower, since [damping] is of all "
+                                     "beams and that of the blades is taken");
   }
-  model.left_out.push_back(source.name + ": mode shapes, since Spoke finds its own" +
-                           (any_tuner(tuners) ? ", with the tuners that belong to them" : ""));
+  model.leave_out(Loss::detail,
+                  source.name + ": mode shapes, since Spoke finds its own" +
+                      (any_tuner(tuners) ? ", with the tuners that belong to them" : ""));
 }
 
 }  // namespace spoke::foreign

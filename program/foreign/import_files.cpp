@@ -12,8 +12,11 @@
 #include "program/foreign/aerodyn_reader.h"
 #include "program/foreign/air_writer.h"
 #include "program/foreign/elastodyn_reader.h"
+#include "program/foreign/inflowwind_reader.h"
 #include "program/foreign/input_lines.h"
+#include "program/foreign/openfast_main.h"
 #include "program/foreign/scenario_writer.h"
+#include "program/foreign/servodyn_reader.h"
 #include "program/foreign/windio_reader.h"
 
 namespace spoke::foreign {
@@ -27,14 +30,24 @@ enum Kind {
   elastodyn_tower,
   aerodyn_primary,
   aerodyn_blade,
+  openfast_main,
+  inflowwind,
+  servodyn,
   windio,
   kind_count
 };
 
-constexpr const char* kKindNames[kind_count] = {"BeamDyn, primary file",   "BeamDyn, blade file",
-                                                "ElastoDyn, primary file", "ElastoDyn, blade file",
-                                                "ElastoDyn, tower file",   "AeroDyn, primary file",
-                                                "AeroDyn, blade file",     "WindIO"};
+constexpr const char* kKindNames[kind_count] = {"BeamDyn, primary file",
+                                                "BeamDyn, blade file",
+                                                "ElastoDyn, primary file",
+                                                "ElastoDyn, blade file",
+                                                "ElastoDyn, tower file",
+                                                "AeroDyn, primary file",
+                                                "AeroDyn, blade file",
+                                                "OpenFAST, main file",
+                                                "InflowWind",
+                                                "ServoDyn",
+                                                "WindIO"};
 
 std::string in_capitals(std::string_view text) {
   std::string capitals(text);
@@ -53,10 +66,14 @@ Kind find_kind(const SourceFile& source) {
   if (says("ELASTODYN"))
     return says("BLADE") ? elastodyn_blade : says("TOWER") ? elastodyn_tower : elastodyn_primary;
   if (says("AERODYN")) return says("BLADE") ? aerodyn_blade : aerodyn_primary;
+  if (says("INFLOWWIND")) return inflowwind;
+  if (says("SERVODYN")) return servodyn;
+  if (ending == ".FST" || says("OPENFAST")) return openfast_main;
   refuse(source.name, 1,
          "found " + solid::show_text(solid::trim(line)) +
-             ", expected the first line of a file of OpenFAST that names BEAMDYN, ELASTODYN or "
-             "AERODYN, and BLADE or TOWER unless it is a primary one; or a file .yaml");
+             ", expected the first line of a file of OpenFAST that names BEAMDYN, ELASTODYN, "
+             "AERODYN, INFLOWWIND or SERVODYN, and BLADE or TOWER where it is of one; or a file "
+             ".fst or .yaml");
 }
 
 /// The files by kind, those that others name as well.
@@ -76,14 +93,20 @@ class FoundFiles {
   bool has(Kind kind) const { return files_[kind].has_value(); }
   const SourceFile& get(Kind kind) const { return *files_[kind]; }
 
-  /// Returns a file that another one names, which says `what` it should be.
-  SourceFile read_named(Kind by, const NamedFile& named, const std::string& what) const {
+  /// Returns the path of a file that another one names, which says `what` it should be.
+  std::string find_named(Kind by, const NamedFile& named, const std::string& what) const {
     namespace fs = std::filesystem;
     const SourceFile& source = get(by);
     const auto is_control = [](unsigned char c) { return c < ' '; };
     if (named.name.empty() || std::any_of(named.name.begin(), named.name.end(), is_control))
       refuse(source.name, named.line, "names no file, expected " + what);
-    SourceFile file{(fs::path(source.name).parent_path() / named.name).lexically_normal(), {}};
+    return (fs::path(source.name).parent_path() / named.name).lexically_normal().string();
+  }
+
+  /// Returns such a file.
+  SourceFile read_named(Kind by, const NamedFile& named, const std::string& what) const {
+    const SourceFile& source = get(by);
+    SourceFile file{find_named(by, named, what), {}};
     try {
       file.text = read_(file.name);
     } catch (const InputError& error) {
@@ -136,13 +159,13 @@ void read_beamdyn(FoundFiles& files, FoundModel& model) {
   if (model.title.empty()) model.title = primary.title;
   note_source(source, beamdyn_primary, model);
   note_source(blade_source, beamdyn_blade, model);
-  model.left_out.push_back(source.name +
-                           ": BeamDyn's method, its mesh and quadrature, the pitch "
-                           "actuator and outputs");
+  model.leave_out(Loss::detail, source.name +
+                                    ": BeamDyn's method, its mesh and quadrature, the pitch "
+                                    "actuator and outputs");
   if (primary.members > 1)
-    model.left_out.push_back(source.name +
-                             ": ends of members, at which BeamDyn's axis may have a "
-                             "kink; the scenario's is one spline");
+    model.leave_out(Loss::theory, source.name +
+                                      ": ends of members, at which BeamDyn's axis may have a "
+                                      "kink; the scenario's is one spline");
 }
 
 /// Reads a blade of ElastoDyn, or a tower, whose length is that of a primary file or an option.
@@ -197,9 +220,9 @@ std::vector<std::string> read_airfoils(const FoundFiles& files, const AeroDynPri
     if (read.has_more) ++with_more;
   }
   if (with_more > 0)
-    model.left_out.push_back(files.get(aerodyn_primary).name + ": further tables of " +
-                             std::to_string(with_more) +
-                             " aerofoils, of which AFTabMod 1 uses the first");
+    model.leave_out(Loss::theory, files.get(aerodyn_primary).name + ": further tables of " +
+                                      std::to_string(with_more) +
+                                      " aerofoils, of which AFTabMod 1 uses the first");
   return names;
 }
 
@@ -210,27 +233,104 @@ void read_aerodyn(FoundFiles& files, FoundModel& model) {
   const SourceFile& blade = files.get(aerodyn_blade);
   const auto nodes = read_aerodyn_blade(blade, primary.airfoils.size());
   add_aerodyn_blade(nodes, blade.name, read_airfoils(files, primary, nodes, model), model);
+  if (model.tower) read_aerodyn_tower(source, -model.ground.number, model);
   note_source(source, aerodyn_primary, model);
   note_source(blade, aerodyn_blade, model);
   model.sources.push_back(std::to_string(model.air->airfoils.size()) +
                           " aerofoil files that it names");
 }
 
+/// Reads the main file, and those that it names.
+OpenFastMain read_main(FoundFiles& files, FoundModel& model) {
+  const SourceFile& source = files.get(openfast_main);
+  OpenFastMain main = read_openfast_main(source, model);
+  note_source(source, openfast_main, model);
+  const auto add = [&](Kind kind, const NamedFile& named) {
+    if (!named.name.empty() || named.line > 0) files.add_named(kind, openfast_main, named);
+  };
+  if (main.elastodyn.line == 0)
+    refuse(source.name, 0, "the file ends here, expected a line of a value and then \"EDFile\"");
+  add(elastodyn_primary, main.elastodyn);
+  if (!files.has(elastodyn_blade)) add(beamdyn_primary, main.beamdyn);
+  add(aerodyn_primary, main.aerodyn);
+  if (files.has(aerodyn_primary)) add(inflowwind, main.inflowwind);
+  add(servodyn, main.servodyn);
+  return main;
+}
+
+/// Takes from the main file what modules have by "default".
+void use_main(const OpenFastMain& main, const FoundFiles& files, FoundModel& model) {
+  model.title = main.title;
+  if (model.air && model.air->density.number == 0.0) model.air->density = main.density;
+  if (model.air && model.air->viscosity.number == 0.0) model.air->viscosity = main.viscosity;
+  if (files.has(servodyn) || model.holds_speed) return;
+  model.generator.emplace().from =
+      "CompServo 0, " + files.get(openfast_main).name + ": nothing brakes the generator";
+}
+
+void read_wind(const FoundFiles& files, const ImportOptions& options, FoundModel& model) {
+  const SourceFile& source = files.get(inflowwind);
+  const InflowWindFile file = read_inflowwind(source, model);
+  FoundWind& wind = *model.air->wind;
+  note_source(source, inflowwind, model);
+  if (file.uniform.line > 0) {
+    const SourceFile table = files.read_named(inflowwind, file.uniform, "a table of wind");
+    read_uniform_wind(table, file, model);
+    wind.from = table.name;
+    model.sources.push_back(table.name + ": table of a uniform wind");
+  }
+  if (file.turbsim.line == 0) return;
+  wind.file = files.find_named(inflowwind, file.turbsim, "a file of TurbSim (.bts)");
+  wind.from = "FileName_BTS, " + place(source.name, file.turbsim.line);
+  const std::string ending = in_capitals(std::filesystem::path(wind.file).extension().string());
+  if (ending != ".BTS" || !options.is_there(wind.file))
+    refuse(source.name, file.turbsim.line,
+           "FileName_BTS is \"" + printable(file.turbsim.name) + "\", but there is no file " +
+               printable(wind.file) + ", expected a file of TurbSim (.bts)");
+  model.sources.push_back(wind.file + ": wind of TurbSim, which the scenario names");
+}
+
+void read_servo(const FoundFiles& files, const ImportOptions& options, FoundModel& model) {
+  const SourceFile& source = files.get(servodyn);
+  const ServoDynFile file = read_servodyn(source, model);
+  note_source(source, servodyn, model);
+  if (!model.library) return;
+  FoundLibrary& library = *model.library;
+  library.file = files.find_named(servodyn, file.library, "a shared library");
+  if (!file.input.name.empty())
+    library.input = files.find_named(servodyn, file.input, "the file that the library reads");
+  const auto miss = [&](const std::string& name, const NamedFile& named) {
+    if (name.empty() || options.is_there(name)) return;
+    library.is_there = false;
+    model.leave_out(Loss::part, place(source.name, named.line) + ": names " + printable(name) +
+                                    ", which is not there: the drive holds RotSpeed, the blades "
+                                    "BlPitch(1); [control.library] stands in comments");
+  };
+  miss(library.file, file.library);
+  if (library.is_there) miss(library.input, file.input);
+}
+
 /// What a turbine has besides these files.
 void note_missing(const FoundFiles& files, FoundModel& model) {
-  if (model.tower)
-    model.left_out.emplace_back(
-        files.has(elastodyn_primary)
-            ? "in other files of a turbine: torque of the generator, control of speed and pitch "
-              "(the drive holds RotSpeed), wind, foundation, soil, water, floater and moorings "
-              "(the "
-              "foot of the tower is held)"
-            : "in other files of a turbine: the rotor and all else that the tower carries, "
-              "foundation, soil, water, floater and moorings (the foot of the tower is held)");
-  if (files.has(elastodyn_primary) && !model.air)
-    model.left_out.emplace_back("in other files of a turbine: the air");
+  const bool has_main = files.has(openfast_main), has_rotor = files.has(elastodyn_primary);
+  if (has_rotor && !has_main) {
+    std::string missing = files.has(servodyn)
+                              ? ""
+                              : "torque of the generator, control of speed and pitch (the drive "
+                                "holds RotSpeed), yaw (the nacelle is fixed to the tower), ";
+    if (!files.has(inflowwind)) missing += "wind, ";
+    model.leave_out(Loss::part, "in other files of a turbine: " + missing +
+                                    "foundation, soil, water, floater and moorings (the foot of "
+                                    "the tower is held)");
+    if (!model.air) model.leave_out(Loss::part, "in other files of a turbine: the air");
+  } else if (model.tower && !has_rotor) {
+    model.leave_out(
+        Loss::part,
+        "in other files of a turbine: the rotor and all else that the tower carries, "
+        "foundation, soil, water, floater and moorings (the foot of the tower is held)");
+  }
   if (!model.tower && !model.has_rotor)
-    model.left_out.emplace_back("gravity: the files do not say which way is down");
+    model.leave_out(Loss::part, "gravity: the files do not say which way is down");
 }
 
 /// Refuses files that would go unused, or say the same twice.
@@ -252,10 +352,16 @@ void check_use(const FoundFiles& files) {
   if (files.has(aerodyn_blade) && !files.has(aerodyn_primary))
     refuse(files.get(aerodyn_blade).name, 1,
            "has no names of aerofoils, expected AeroDyn's primary file besides");
-  for (const Kind kind : {elastodyn_primary, elastodyn_tower, aerodyn_primary})
+  for (const Kind kind : {openfast_main, elastodyn_primary, elastodyn_tower, aerodyn_primary})
     if (files.has(windio) && files.has(kind))
       refuse(files.get(kind).name, 1,
              "given along with " + files.get(windio).name + ", expected an ontology by itself");
+  if (files.has(servodyn) && !files.has(elastodyn_primary))
+    refuse(files.get(servodyn).name, 1,
+           "has no rotor to control, expected ElastoDyn's primary file besides");
+  if (files.has(inflowwind) && !files.has(aerodyn_primary))
+    refuse(files.get(inflowwind).name, 1,
+           "has no blades for its wind, expected AeroDyn's primary file besides");
   if (files.has(aerodyn_primary) && !first && !files.has(elastodyn_primary))
     refuse(files.get(aerodyn_primary).name, 1,
            "has no structure of the blades, expected files of BeamDyn or ElastoDyn besides");
@@ -269,13 +375,36 @@ Scenario check_scenario(const std::string& text, const std::string& file) {
   }
 }
 
+/// Writes the scenario and its tables, and checks it.
+Imported write_imported(FoundModel& model, const std::string& first, const ImportOptions& options) {
+  std::stable_sort(model.left_out.begin(), model.left_out.end(),
+                   [](const LeftOut& a, const LeftOut& b) { return a.loss < b.loss; });
+  Imported imported;
+  const ScenarioPlaces places{options.folder, options.airfoil_folder, options.wind_table};
+  imported.text = write_scenario(model, &places);
+  // Its tables are not there yet.
+  imported.scenario = check_scenario(write_scenario(model), first);
+  if (model.air) {
+    for (const FoundAirfoil& airfoil : model.air->airfoils)
+      imported.tables.push_back(
+          {airfoil_path(options.airfoil_folder, airfoil.airfoil.name), airfoil.table});
+    if (model.air->wind && !model.air->wind->table.empty())
+      imported.tables.push_back({options.wind_table, model.air->wind->table});
+  }
+  imported.sources = model.sources;
+  for (const LeftOut& left_out : model.left_out) imported.left_out.push_back(left_out.text);
+  return imported;
+}
+
 }  // namespace
 
 Imported import_files(const std::vector<SourceFile>& files, const ReadFile& read,
                       const ImportOptions& options) {
   FoundFiles found(files, read);
-  check_use(found);
   FoundModel model;
+  std::optional<OpenFastMain> main;
+  if (found.has(openfast_main) && !found.has(windio)) main = read_main(found, model);
+  check_use(found);
   if (found.has(aerodyn_primary)) model.air.emplace();
   if (found.has(beamdyn_primary)) read_beamdyn(found, model);
   if (found.has(windio)) {
@@ -284,19 +413,11 @@ Imported import_files(const std::vector<SourceFile>& files, const ReadFile& read
   }
   read_elastodyn(found, options, model);
   if (found.has(aerodyn_primary)) read_aerodyn(found, model);
+  if (found.has(inflowwind)) read_wind(found, options, model);
+  if (found.has(servodyn)) read_servo(found, options, model);
+  if (main) use_main(*main, found, model);
   note_missing(found, model);
-  Imported imported;
-  imported.text = write_scenario(model, options.airfoil_folder);
-  // Its tables are not there yet.
-  const std::string whole = model.air ? write_scenario(model) : imported.text;
-  imported.scenario = check_scenario(whole, files.front().name);
-  if (model.air)
-    for (const FoundAirfoil& airfoil : model.air->airfoils)
-      imported.tables.push_back(
-          {airfoil_path(options.airfoil_folder, airfoil.airfoil.name), airfoil.table});
-  imported.sources = model.sources;
-  imported.left_out = model.left_out;
-  return imported;
+  return write_imported(model, files.front().name, options);
 }
 
 }  // namespace spoke::foreign

@@ -2,9 +2,11 @@
 
 // Makes a scenario of files of other programs.
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "models/scenario.h"
@@ -18,6 +20,13 @@ struct ImportOptions {
   std::optional<double> tower_height;  ///< likewise of a tower [m]
   /// Folder of the aerofoils' tables, relative to that of the scenario.
   std::string airfoil_folder = "airfoils";
+  std::string wind_table = "wind.txt";  ///< table of a uniform wind, likewise
+  std::string folder;                   ///< of the scenario; empty: that of the program
+  /// Whether there is a file, of which the scenario has but the path: of wind, a library.
+  std::function<bool(const std::string& name)> is_there = [](const std::string& name) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(name, ignored);
+  };
 };
 
 /// Returns the text of a file that another one names. Throws InputError.
@@ -29,7 +38,7 @@ struct Imported {
   std::vector<SourceFile> tables;     ///< files that it names, relative to its folder
   Scenario scenario;                  ///< what it says, checked
   std::vector<std::string> sources;   ///< files that were read, and what they are
-  std::vector<std::string> left_out;  ///< what could not be carried over, a sentence each
+  std::vector<std::string> left_out;  ///< what could not be carried over, worst first
 };
 
 /// Makes a scenario of files, which it tells apart by their first line or, in YAML, their ending. A

@@ -19,7 +19,9 @@ std::string describe_line(std::string_view key) {
   return "a line of a value and then \"" + std::string(key) + "\"";
 }
 
+/// Whether a line has a value and then `key`. Headlines do not: "------ FURLING ------".
 bool is_line_of(std::string_view line, std::string_view key) {
+  if (line.starts_with("--") || line.starts_with("==")) return false;
   const auto words = split_words(line, 2);
   return words.size() == 2 && is_same_word(words[1], key);
 }

@@ -54,6 +54,10 @@ class InputLines {
   void seek(std::string_view key);
   /// Does so, and takes the line as take_value() does.
   std::string find_value(std::string_view key);
+  /// Goes back before the line that was taken last, of which there must be one.
+  void step_back() { --next_; }
+  /// Returns the number of lines.
+  int count() const { return static_cast<int>(lines_.size()); }
   /// Goes back to the first line.
   void rewind() { next_ = 0; }
   /// Returns whether a line of a value and then `key` is still to come.

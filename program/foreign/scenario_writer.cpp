@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "program/foreign/air_writer.h"
+#include "program/foreign/control_writer.h"
 #include "program/foreign/toml_text.h"
 
 namespace spoke::foreign {
@@ -72,10 +73,13 @@ void write_blade(const FoundModel& model, Toml& toml) {
   if (model.precone.number != 0.0)
     toml.key("precone", digits(model.precone.number),
              model.precone.from + ", in rad towards downwind");
+  if (model.azimuth.number != 0.0)
+    toml.key("azimuth", digits(model.azimuth.number), model.azimuth.from + ", in rad");
   toml.table("[blade.sections]");
   write_sections(blade, toml);
   write_tip_mass(blade, "[[blade.point_mass]]", toml);
-  if (model.air) write_blade_air(*model.air, model.pitch, toml);
+  if (model.has_pitch()) write_pitch(model, toml);
+  if (model.air) write_blade_air(*model.air, toml);
 }
 
 void write_hub(const FoundModel& model, Toml& toml) {
@@ -94,13 +98,7 @@ void write_hub(const FoundModel& model, Toml& toml) {
   if (const double inertia = model.hub_inertia.number; inertia > 0.0)
     toml.key("inertia", digits(Eigen::Vector3d(inertia, 0.5 * inertia, 0.5 * inertia)),
              model.hub_inertia.from);
-  toml.table("[hub.drive]");
-  if (model.speed.number != 0.0) {
-    toml.key("kind", "\"constant\"");
-    toml.key("speed", digits(model.speed.number), model.speed.from + ", in rad/s");
-  } else {
-    toml.key("kind", "\"fixed\"", model.speed.from.empty() ? "not in the files" : model.speed.from);
-  }
+  write_drive(model, toml);
 }
 
 void write_nacelle(const Nacelle& nacelle, Toml& toml) {
@@ -109,7 +107,9 @@ void write_nacelle(const Nacelle& nacelle, Toml& toml) {
   toml.key("kind", "\"rigid\"");
   toml.key("mass", digits(nacelle.mass.number), nacelle.mass.from);
   toml.key("center", digits(nacelle.center), nacelle.center_from);
-  toml.key("inertia", digits(nacelle.inertia.number), nacelle.inertia.from);
+  const double inertia = nacelle.inertia.number;
+  toml.key("inertia", digits(Eigen::Vector3d(0.5 * inertia, 0.5 * inertia, inertia)),
+           nacelle.inertia.from);
 }
 
 void write_train(const FoundTrain& train, Toml& toml) {
@@ -136,19 +136,14 @@ void write_support(const FoundModel& model, Toml& toml) {
   toml.table("[support.body.sections]");
   write_sections(tower, toml);
   write_tip_mass(tower, "[[support.body.point_mass]]", toml);
+  if (model.air && model.air->tower) write_tower_air(*model.air->tower, toml);
   if (model.nacelle) write_nacelle(*model.nacelle, toml);
   toml.table("[[support.joint]]");
   toml.key("child", "\"tower\"");
   toml.key("kind", "\"fixed\"");
   toml.key("orientation", digits(Eigen::Vector3d(0.0, -0.5 * std::numbers::pi, 0.0)),
            "x of the beam is up");
-  if (model.nacelle) {
-    toml.table("[[support.joint]]");
-    toml.key("parent", "\"tower\"");
-    toml.key("child", "\"nacelle\"");
-    toml.key("kind", "\"fixed\"");
-    toml.key("orientation", turn, "back: z is up");
-  }
+  if (model.nacelle) write_yaw(model, turn, toml);
   toml.table("[support.axle]");
   toml.key("body", model.nacelle ? "\"nacelle\"" : "\"tower\"");
   if (model.nacelle) {
@@ -183,28 +178,38 @@ void write_damping(const FoundDamping& damping, Toml& toml) {
     toml.key("ratios", digits(damping.ratios), damping.from);
 }
 
+void write_course(const FoundModel& model, Toml& toml) {
+  const bool ends = model.duration.number > 0.0;
+  toml.table("[integration]");
+  toml.key("step", "0.01", "not in the files");
+  toml.key("duration", ends ? digits(model.duration.number) : "10",
+           ends ? model.duration.from : "not in the files");
+  if (!(model.interval.number > 0.0)) return;
+  toml.table("[output]");
+  toml.key("interval", digits(model.interval.number), model.interval.from);
+}
+
 }  // namespace
 
-std::string write_scenario(const FoundModel& model, const std::string& airfoil_folder) {
+std::string write_scenario(const FoundModel& model, const ScenarioPlaces* places) {
   Toml toml;
   toml.comment("Written by spoke import from");
   for (const std::string& source : model.sources) toml.comment("  " + source);
   toml.comment("Behind each value stands the key and the line that it came from.");
-  if (!model.left_out.empty()) toml.comment("Not carried over:");
-  for (const std::string& text : model.left_out) toml.comment("  - " + text);
+  if (!model.left_out.empty()) toml.comment("Not carried over, worst first:");
+  for (const LeftOut& left_out : model.left_out) toml.comment("  - " + left_out.text);
   toml.table("title = " + quoted(model.title));
   toml.key("world", "\"space\"");
   write_hub(model, toml);
+  write_control(model, places ? places->folder : "", !places, toml);
   if (model.tower) write_support(model, toml);
   if (model.blade) write_blade(model, toml);
   write_gravity(model, toml);
   if (model.air)
-    write_air(*model.air, airfoil_folder,
-              {model.has_rotor ? "[8, 0, 0]" : "[0, 0, 8]", model.ground}, toml);
+    write_air(*model.air, places, {model.has_rotor ? "[8, 0, 0]" : "[0, 0, 8]", model.ground},
+              toml);
   write_damping(model.damping, toml);
-  toml.table("[integration]");
-  toml.key("step", "0.01", "not in the files");
-  toml.key("duration", "10", "not in the files");
+  write_course(model, toml);
   return toml.take();
 }
 

@@ -8,9 +8,16 @@
 
 namespace spoke::foreign {
 
+/// Where the files of a scenario are.
+struct ScenarioPlaces {
+  std::string folder;    ///< of the scenario; empty: that in which the program runs
+  std::string airfoils;  ///< folder of the aerofoils' tables, relative to that of the scenario
+  std::string wind;      ///< table of the wind, likewise
+};
+
 /// Returns the text of a scenario in space, with comments on where each value came from and on what
-/// was left out. Aerofoils are named as tables in `airfoil_folder`, relative to that of the
-/// scenario; if it is empty, their polars are in the text.
-std::string write_scenario(const FoundModel& model, const std::string& airfoil_folder = {});
+/// was left out. Without `places` it stands alone: polars are in the text, there is neither a file
+/// of wind nor a library.
+std::string write_scenario(const FoundModel& model, const ScenarioPlaces* places = nullptr);
 
 }  // namespace spoke::foreign

@@ -4,6 +4,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "program/foreign/input_lines.h"
@@ -35,6 +36,17 @@ std::string quoted(const std::string& text) {
 }
 
 void Toml::comment(const std::string& text) { text_ += "# " + printable(text) + '\n'; }
+
+void Toml::comment_out(const std::string& lines) {
+  for (std::size_t at = 0; at < lines.size();) {
+    const std::size_t end = std::min(lines.find('\n', at), lines.size());
+    if (end == at)
+      text_ += '\n';
+    else
+      comment(lines.substr(at, end - at));
+    at = end + 1;
+  }
+}
 
 void Toml::table(const std::string& head) { text_ += '\n' + head + '\n'; }
 

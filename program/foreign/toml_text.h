@@ -20,6 +20,8 @@ std::string quoted(const std::string& text);
 class Toml {
  public:
   void comment(const std::string& text);
+  /// Adds lines of TOML as comments.
+  void comment_out(const std::string& lines);
   /// Begins a table: "[blade]".
   void table(const std::string& head);
   void key(const std::string& name, const std::string& value, const std::string& from = {});

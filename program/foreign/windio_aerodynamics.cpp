@@ -185,8 +185,9 @@ void read_windio_aerodynamics(const Entry& root, bool is_version_2, const Entry&
                         "; between two aerofoils polars are linear along the blade.");
   read_environment(root, air);
   if (airfoils.has_more())
-    model.left_out.push_back(root.at("airfoils").from() +
-                             ": sets of polars (configuration) but the first of each aerofoil");
+    model.leave_out(Loss::theory,
+                    root.at("airfoils").from() +
+                        ": sets of polars (configuration) but the first of each aerofoil");
 }
 
 }  // namespace spoke::foreign

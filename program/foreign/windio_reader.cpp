@@ -243,10 +243,11 @@ void read_windio(const SourceFile& source, FoundModel& model) {
                                       : read_tables_of_version_1(blade, asymmetry);
     read_blade(tables, unit, model);
     const bool has_air = has_windio_aerodynamics(root, is_new);
-    model.left_out.push_back(
+    model.leave_out(
+        Loss::part,
         source.name + ": tower, nacelle, generator, " +
-        (has_air ? "shapes of the aerofoils" : "airfoils") +
-        ", materials, layers and control; the hub is held, its mass is not in the file");
+            (has_air ? "shapes of the aerofoils" : "airfoils") +
+            ", materials, layers and control; the hub is held, its mass is not in the file");
     if (has_air) read_windio_aerodynamics(root, is_new, tables.axis, tables.twist, model);
     read_rotor(root, unit, model);
     read_gravity(root, model);

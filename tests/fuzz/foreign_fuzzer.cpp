@@ -1,4 +1,4 @@
-// libFuzzer: whatever stands in files of BeamDyn, ElastoDyn, AeroDyn and WindIO, they make a
+// libFuzzer: whatever stands in files of OpenFAST and its modules and of WindIO, they make a
 // scenario that is accepted, or are refused by InputError with one line. Lines "#file NAME" begin
 // the files, the first of which is imported, with others whose names begin with "+".
 
@@ -45,15 +45,21 @@ foreign::Imported import_all(const std::vector<foreign::SourceFile>& all) {
       if (file.name == name) return file.text;
     throw InputError(name + ": no such file, expected one");
   };
-  return foreign::import_files(given, read, {20.0, 30.0});
+  foreign::ImportOptions options;
+  options.blade_length = 20.0;
+  options.tower_height = 30.0;
+  options.is_there = [](const std::string&) { return true; };
+  return foreign::import_files(given, read, options);
 }
 
 /// Requires that the tables of aerofoils have the polars of the scenario.
 void check_tables(const foreign::Imported& imported) {
   const spatial::Model& model = *imported.scenario.space;
-  require(imported.tables.size() == (model.air ? model.air->airfoils.size() : 0),
-          "each aerofoil has a table");
-  for (std::size_t k = 0; k < imported.tables.size(); ++k) {
+  const std::size_t airfoils = model.air ? model.air->airfoils.size() : 0;
+  require(imported.tables.size() >= airfoils, "each aerofoil has a table");
+  for (std::size_t k = airfoils; k < imported.tables.size(); ++k)
+    require(k == airfoils && imported.tables[k].name == "wind.txt", "the last table is the wind");
+  for (std::size_t k = 0; k < airfoils; ++k) {
     const spatial::Airfoil& airfoil = model.air->airfoils[k];
     require(imported.tables[k].name == "airfoils/" + airfoil.name + ".txt", "a table has its name");
     require(air::parse_airfoil(imported.tables[k].text, "table", airfoil.name) == airfoil,

@@ -100,6 +100,26 @@ TEST_CASE("aerodynamics come with a folder of tables, all of them or none") {
             .status == 0);
 }
 
+TEST_CASE("the main file of OpenFAST makes a turbine that runs, with nothing added by hand") {
+  const BladeFolder folder;
+  const std::vector<std::string> import = {"import", "small_turbine.fst", "--out", "t.toml"};
+  fs::rename(folder.work.path() / "small_turbine_wind.txt", folder.work.path() / "away");
+  check_refused(import, "small_turbine_InflowWind.dat:14: names a file that cannot be read",
+                folder.work);
+  CHECK_FALSE(fs::exists(folder.work.path() / "t.toml"));
+  CHECK_FALSE(fs::exists(folder.work.path() / "t_airfoils"));
+  fs::rename(folder.work.path() / "away", folder.work.path() / "small_turbine_wind.txt");
+  const Ended ended = run_spoke(import, folder.work);
+  CHECK(ended.status == 0);
+  CHECK(contains(ended.out, "t.toml, 3 tables in t_airfoils, t_wind.txt"));
+  CHECK(run_spoke({"check", "t.toml"}, folder.work).status == 0);
+  CHECK(run_spoke(
+            {"run", "t.toml", "--set", "integration.duration=0.05", "--out", "r", "--no-report"},
+            folder.work)
+            .status == 0);
+  CHECK(run_spoke({"performance", "t.toml", "--wind", "8", "--out", "p"}, folder.work).status == 0);
+}
+
 TEST_CASE("a file in the place of the folder of tables is refused") {
   const BladeFolder folder;
   std::ofstream(folder.work.path() / "t_airfoils") << "mine";
@@ -125,7 +145,7 @@ TEST_CASE("what cannot be imported or exported is refused before anything is wri
     check_refused(words, message, folder.work);
   };
   refused({"import", "none.dat", "--out", "o.toml"},
-          "none.dat: no such file, expected a file of BeamDyn, ElastoDyn or AeroDyn");
+          "none.dat: no such file, expected a file of OpenFAST or of one of its modules");
   refused({"import", "small_BeamDyn_blade.dat", "--out", "o.toml"},
           "small_BeamDyn_blade.dat:1: has no key points, expected BeamDyn's primary file besides");
   refused({"import", "small_BeamDyn.dat"}, "--out is required");

@@ -145,7 +145,7 @@ TEST_CASE("what AeroDyn's files ask for and the scenario has not is said") {
     for (const std::string& text : import_texts(texts, all_files()).left_out) all += text + '\n';
     return all;
   };
-  CHECK(contains(left_out(samples()), "small_AeroDyn.dat: the tower's influence"));
+  CHECK(contains(left_out(samples()), "small_AeroDyn.dat: drag in the induction"));
   CHECK(contains(left_out(changed(kAero, "1             WakeMod", "3 WakeMod")),
                  "WakeMod, small_AeroDyn.dat:6: the free vortex wake"));
   CHECK(contains(left_out(changed(kAero, "1             WakeMod", "12 WakeMod")),

@@ -121,9 +121,9 @@ TEST_CASE("a scenario says where its values came from, what was read and what is
   const foreign::Imported imported = import_texts(samples(), {"small_BeamDyn.dat"});
   for (const char* part :
        {"# Written by spoke import from", "#   small_BeamDyn.dat: BeamDyn, primary file",
-        "#   small_BeamDyn_blade.dat: BeamDyn, blade file",
-        "# Not carried over:", "title = \"A blade of 20 m, made up for the tests of Spoke\"",
-        "kind = \"fixed\"", "length = 20   # kp_zr of key point 7, small_BeamDyn.dat:31",
+        "#   small_BeamDyn_blade.dat: BeamDyn, blade file", "# Not carried over, worst first:",
+        "title = \"A blade of 20 m, made up for the tests of Spoke\"", "kind = \"fixed\"",
+        "length = 20   # kp_zr of key point 7, small_BeamDyn.dat:31",
         "   # key point 1, small_BeamDyn.dat:25; section 1, small_BeamDyn_blade.dat:11",
         "   # section 2, small_BeamDyn_blade.dat:26",
         "mu = [0.002, 0.0015, 0.001, 0.0015, 0.002, 0.0008]   # mu1 to mu6, "

@@ -210,7 +210,7 @@ TEST_CASE("gravity acts down the tower, whose foot stands over the ground") {
   CHECK(contains(imported.text, "ground = -1   # TowerBsHt, small_ElastoDyn.dat:"));
   const auto blade = import_texts(samples(), {"small_BeamDyn.dat"});
   CHECK(blade.scenario.space->gravity.isZero(0.0));
-  CHECK(contains(blade.left_out.back(), "gravity"));
+  CHECK(contains(blade.left_out.front(), "gravity"));
 }
 
 TEST_CASE("what a turbine has and the scenario has not is said") {
@@ -227,10 +227,10 @@ TEST_CASE("what a turbine has and the scenario has not is said") {
   for (const char* part : {"torque of the generator", "control of speed and pitch", "wind",
                            "foundation", "in other files of a turbine: the air"})
     CHECK(contains(plain, part));
-  CHECK_FALSE(contains(plain, "NacYaw"));
-  CHECK(left_out("0 NacYaw - yaw\n") == plain);
-  CHECK(contains(left_out("12.5 NacYaw - yaw\n"),
-                 "NacYaw, small_ElastoDyn.dat:12, which is 12.5: the nacelle looks along x"));
+  CHECK_FALSE(contains(plain, "TTDspFA"));
+  CHECK(left_out("0 OoPDefl - deflection\n") == plain);
+  CHECK(contains(left_out("0.5 TTDspFA - deflection\n"),
+                 "TTDspFA, small_ElastoDyn.dat:12, which is 0.5: the tower starts undeformed"));
   CHECK(contains(left_out("1.5E+07 PtfmMass - platform\n"), "PtfmMass, small_ElastoDyn.dat:12"));
   CHECK(contains(left_out("3 BlPitch(1)\n3.5 BlPitch(2)\n3 BlPitch(3)\n"),
                  "BlPitch(2), small_ElastoDyn.dat:13, which is 3.5: all blades have that of "
