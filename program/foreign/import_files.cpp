@@ -246,10 +246,8 @@ OpenFastMain read_main(FoundFiles& files, FoundModel& model) {
   OpenFastMain main = read_openfast_main(source, model);
   note_source(source, openfast_main, model);
   const auto add = [&](Kind kind, const NamedFile& named) {
-    if (!named.name.empty() || named.line > 0) files.add_named(kind, openfast_main, named);
+    if (named.line > 0) files.add_named(kind, openfast_main, named);
   };
-  if (main.elastodyn.line == 0)
-    refuse(source.name, 0, "the file ends here, expected a line of a value and then \"EDFile\"");
   add(elastodyn_primary, main.elastodyn);
   if (!files.has(elastodyn_blade)) add(beamdyn_primary, main.beamdyn);
   add(aerodyn_primary, main.aerodyn);

@@ -19,14 +19,20 @@ int read_main_switch(KeyedLines& reader, const char* key, int most) {
                         expected);
 }
 
+/// Reads the name of a module's file, which must be there.
+NamedFile take_file(KeyedLines& reader, const char* key, const char* other) {
+  if (!reader.has(key) && !reader.has(other)) reader.seek(key);  // refuses
+  return reader.file(key, other);
+}
+
 void read_structure(KeyedLines& reader, OpenFastMain& main, FoundModel& model) {
   const int elastic = reader.count("CompElast", 1, 3);
   if (elastic == 3)
     refuse_switch(reader, "CompElast", elastic,
                   "1, ElastoDyn, or 2, with BeamDyn for the blades; a rigid turbine is not read");
-  main.elastodyn = reader.file("EDFile", "EDFile");
+  main.elastodyn = take_file(reader, "EDFile", "EDFile");
   if (elastic == 1) return;
-  main.beamdyn = reader.file("BDBldFile(1)", "BDBldFile1");
+  main.beamdyn = take_file(reader, "BDBldFile(1)", "BDBldFile1");
   for (const char* other : {"BDBldFile(2)", "BDBldFile(3)"})
     if (reader.has(other) && reader.text(other) != main.beamdyn.name)
       model.leave_out(Loss::value, std::string(other) + ", " + reader.lines().place() +
@@ -40,12 +46,12 @@ void read_air_files(KeyedLines& reader, OpenFastMain& main, FoundModel& model) {
   if (aero == 1 || aero == 3)
     refuse_switch(reader, "CompAero", aero, "0, none, or 2, AeroDyn of version 15 or later");
   if (aero == 0) return;
-  main.aerodyn = reader.file("AeroFile", "AeroFile");
+  main.aerodyn = take_file(reader, "AeroFile", "AeroFile");
   const int inflow = reader.count("CompInflow", 0, 2);
   if (inflow == 2)
     model.leave_out(Loss::part, "CompInflow, " + reader.lines().place() +
                                     ", which is 2: wind of another program; the air is at rest");
-  if (inflow == 1) main.inflowwind = reader.file("InflowFile", "InflowFile");
+  if (inflow == 1) main.inflowwind = take_file(reader, "InflowFile", "InflowFile");
 }
 
 /// What carries the tower in other modules.
@@ -85,7 +91,8 @@ OpenFastMain read_openfast_main(const SourceFile& source, FoundModel& model) {
     model.interval = reader.positive("DT_Out");
   read_structure(reader, main, model);
   read_air_files(reader, main, model);
-  if (reader.count("CompServo", 0, 1) == 1) main.servodyn = reader.file("ServoFile", "ServoFile");
+  if (reader.count("CompServo", 0, 1) == 1)
+    main.servodyn = take_file(reader, "ServoFile", "ServoFile");
   note_foundation(reader, model);
   read_environment(reader, main, model);
   if (reader.has("MirrorRotor") && !reader.is_off("MirrorRotor"))
