@@ -139,8 +139,7 @@ AeroDynNode make_node(const NamedTable& table, std::size_t row, std::size_t airf
 AeroDynPrimary read_aerodyn_primary(const SourceFile& source, FoundModel& model) {
   KeyedLines reader(source);
   AeroDynPrimary primary;
-  reader.lines().take("the first line of a primary file of AeroDyn");
-  reader.lines().take("a title");
+  reader.take_head("a primary file of AeroDyn");
   read_models(reader, model);
   model.air->density = read_or_default(reader, "AirDens");
   model.air->viscosity = read_or_default(reader, "KinVisc");

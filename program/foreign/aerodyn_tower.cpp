@@ -93,6 +93,7 @@ void check_drag(bool has_drag, const std::string& from, FoundTowerAir& tower, Fo
 
 void read_aerodyn_tower(const SourceFile& source, double foot, FoundModel& model) {
   KeyedLines reader(source);
+  reader.take_head("a primary file of AeroDyn");
   constexpr std::string_view kPotentials[] = {"none", "cylinder", "bak"};
   FoundTowerAir tower;
   const auto from = [&reader](const char* key) {

@@ -183,8 +183,7 @@ void note_other_blades(KeyedLines& reader, FoundModel& model) {
 
 ElastoDynPrimary read_elastodyn_primary(const SourceFile& source, FoundModel& model) {
   KeyedLines reader(source);
-  reader.lines().take("the first line of a primary file of ElastoDyn");
-  model.title = printable(reader.lines().take("a title"));
+  model.title = reader.take_head("a primary file of ElastoDyn");
   if (model.gravity.from.empty() && reader.has("Gravity"))
     model.gravity = reader.at_least("Gravity", 0.0);
   read_rotor(reader, model);

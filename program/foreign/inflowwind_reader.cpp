@@ -119,7 +119,7 @@ InflowWindFile read_inflowwind(const SourceFile& source, FoundModel& model) {
   FoundAir& air = *model.air;
   FoundWind& wind = air.wind.emplace();
   InflowWindFile file;
-  reader.lines().take("the first line of a file of InflowWind");
+  reader.take_head("a file of InflowWind");
   const int type = reader.count("WindType", 1, 7);
   if (type > 3)
     reader.lines().refuse("WindType is " + std::to_string(type) +

@@ -58,8 +58,8 @@ class InputLines {
   void step_back() { --next_; }
   /// Returns the number of lines.
   int count() const { return static_cast<int>(lines_.size()); }
-  /// Goes back to the first line.
-  void rewind() { next_ = 0; }
+  /// Goes back behind so many lines of the beginning.
+  void rewind(std::size_t behind = 0) { next_ = behind; }
   /// Returns whether a line of a value and then `key` is still to come.
   bool has(std::string_view key) const;
 

@@ -28,13 +28,22 @@ class KeyedLines {
 
   InputLines& lines() { return lines_; }
 
+  /// Takes the first line, which says what the file is, and returns the second one, a title. Keys
+  /// are looked for behind them.
+  std::string take_head(std::string_view kind) {
+    lines_.take("the first line of " + std::string(kind));
+    std::string title = printable(lines_.take("a title"));
+    begin_ = 2;
+    return title;
+  }
+
   /// Goes before the line of a key.
   void seek(std::string_view key) {
-    lines_.rewind();
+    lines_.rewind(begin_);
     lines_.seek(key);
   }
   bool has(std::string_view key) {
-    lines_.rewind();
+    lines_.rewind(begin_);
     return lines_.has(key);
   }
   std::string text(std::string_view key) {
@@ -87,6 +96,7 @@ class KeyedLines {
 
  private:
   InputLines lines_;
+  std::size_t begin_ = 0;  ///< lines before those with keys
 };
 
 }  // namespace spoke::foreign

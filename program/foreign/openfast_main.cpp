@@ -83,8 +83,7 @@ void read_environment(KeyedLines& reader, OpenFastMain& main, FoundModel& model)
 OpenFastMain read_openfast_main(const SourceFile& source, FoundModel& model) {
   KeyedLines reader(source);
   OpenFastMain main;
-  reader.lines().take("the first line of a main file of OpenFAST");
-  main.title = printable(reader.lines().take("a title"));
+  main.title = reader.take_head("a main file of OpenFAST");
   model.duration = reader.positive("TMax");
   main.time_step = reader.positive("DT");
   if (reader.has("DT_Out") && !is_same_word(reader.text("DT_Out"), "default"))

@@ -244,7 +244,7 @@ void note_other_servos(KeyedLines& reader, FoundModel& model) {
 ServoDynFile read_servodyn(const SourceFile& source, FoundModel& model) {
   KeyedLines reader(source);
   ServoDynFile file;
-  reader.lines().take("the first line of a file of ServoDyn");
+  reader.take_head("a file of ServoDyn");
   read_generator(reader, model);
   read_pitch(reader, model);
   read_yaw(reader, model);

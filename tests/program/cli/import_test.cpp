@@ -120,6 +120,36 @@ TEST_CASE("the main file of OpenFAST makes a turbine that runs, with nothing add
   CHECK(run_spoke({"performance", "t.toml", "--wind", "8", "--out", "p"}, folder.work).status == 0);
 }
 
+TEST_CASE("an imported turbine runs with the library that ServoDyn names") {
+  const BladeFolder folder;
+  const fs::path servo = folder.work.path() / "small_turbine_ServoDyn.dat";
+  std::string text = file_text(servo);
+  for (const auto& [from, to] :
+       {std::pair<std::string, std::string>{"1             VSContrl", "5 VSContrl"},
+        {"0             PCMode", "5 PCMode"},
+        {"0             YCMode", "5 YCMode"},
+        {"\"small_turbine.so\"", '"' + std::string(SPOKE_TEST_DISCON) + '"'}})
+    text.replace(text.find(from), from.size(), to);
+  std::ofstream(servo) << text;
+  const auto run = [&] {
+    return run_spoke(
+        {"run", "t.toml", "--set", "integration.duration=0.05", "--out", "r", "--no-report"},
+        folder.work);
+  };
+  const std::vector<std::string> import = {"import", "small_turbine.fst", "--out", "t.toml",
+                                           "--force"};
+  const Ended without = run_spoke(import, folder.work);  // there is no input of the library
+  CHECK(without.status == 0);
+  CHECK(contains(without.out, "names small_turbine.IN, which is not there: the drive holds"));
+  CHECK(run().status == 0);
+  std::ofstream(folder.work.path() / "small_turbine.IN") << "square 1.5\n";
+  const Ended ended = run_spoke(import, folder.work);
+  CHECK(ended.status == 0);
+  CHECK_FALSE(contains(ended.out, "which is not there"));
+  CHECK(contains(run_spoke({"check", "t.toml"}, folder.work).out, "joint pitch"));
+  CHECK(run().status == 0);
+}
+
 TEST_CASE("a file in the place of the folder of tables is refused") {
   const BladeFolder folder;
   std::ofstream(folder.work.path() / "t_airfoils") << "mine";

@@ -280,6 +280,15 @@ TEST_CASE("what is left out is listed worst first") {
   CHECK(first < imported.text.find("mode shapes"));
 }
 
+TEST_CASE("a title is no line of a value and its key") {
+  const auto imported = import_changed({{kMain, "A whole small turbine", "Floating MHK turbine"},
+                                        {kPrimary, "A small turbine", "Large NumBl"},
+                                        {kServo, "Control of", "Pitch VSContrl of"},
+                                        {kAir, "Aerodynamics of", "No TwrPotent of"},
+                                        {kInflow, "A wind that", "A WindType that"}});
+  CHECK(imported.scenario.title.starts_with("Floating MHK turbine"));
+}
+
 TEST_CASE("heave of the platform is height over the ground") {
   const auto imported = import_changed({{kPrimary, "0             PtfmHeave", "0.5 PtfmHeave"}});
   CHECK(model_of(imported).air->wind.ground == -1.5);
