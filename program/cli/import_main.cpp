@@ -16,17 +16,20 @@ using cli::Arguments;
 using cli::ImportArguments;
 
 const char* const kImportText =
-    R"(FILE is of BeamDyn (primary file with key points; the blade file that it names), of ElastoDyn (primary,
-blade, tower), of AeroDyn (primary; the blade and aerofoils that it names), or an ontology of WindIO (.yaml,
+    R"(FILE is the main file of OpenFAST (.fst), which names all others of a turbine; or of BeamDyn (primary
+file with key points; the blade file that it names), of ElastoDyn (primary, blade, tower), of AeroDyn
+(primary; the blade and aerofoils that it names), InflowWind or ServoDyn; or an ontology of WindIO (.yaml,
 .yml), told apart by the first line or the ending. Files that another one names are read as well, unless
 one of their kind is given. AeroDyn's need those of BeamDyn or ElastoDyn besides.
 
 Stations of all lists are merged, arc lengths become stations, signs, axes and units those of Spoke,
 matrices symmetric; what came from where stands behind each value, and what could not be carried over at
-the head of the scenario, which is checked before it is written. Polars go to tables in a folder beside
-it: rotor.toml has rotor_airfoils. See docs/files.md.
+the head of the scenario, worst first, which is checked before it is written. Polars go to tables in a
+folder beside it, a uniform wind to a table: rotor.toml has rotor_airfoils and rotor_wind.txt. Wind of
+TurbSim and a controller's library are named by their paths. See docs/files.md.
 
 Examples:
+  spoke import 5MW_Land.fst --out turbine.toml
   spoke import blade_BeamDyn.dat --out blade.toml
   spoke import ElastoDyn_blade.dat --length 61.5 --out blade.toml
   spoke import turbine_ElastoDyn.dat turbine_BeamDyn.dat turbine_AeroDyn15.dat --out turbine.toml
