@@ -48,10 +48,10 @@ struct FoundDamping {
 struct Nacelle {
   Value mass;                             ///< [kg], > 0
   Eigen::Vector3d center{0.0, 0.0, 0.0};  ///< from the tower's top, x downwind, z up [m]
-  Value inertia;                          ///< about the vertical through its centre [kg m^2], > 0
-  Eigen::Vector3d hub{0.0, 0.0, 0.0};     ///< the hub's place, likewise [m]
-  double tilt = 0.0;                      ///< rotation of the shaft about +y [rad]
-  std::string center_from, hub_from, tilt_from;
+  std::vector<double> inertia;  ///< about its centre: xx, yy, zz, or with xy, xz, yz [kg m^2]
+  Eigen::Vector3d hub{0.0, 0.0, 0.0};  ///< the hub's place, likewise [m]
+  double tilt = 0.0;                   ///< rotation of the shaft about +y [rad]
+  std::string inertia_from, center_from, hub_from, tilt_from;
 };
 
 /// A shaft that twists, between the hub and a generator behind a gearbox.
@@ -68,9 +68,10 @@ struct FoundModel {
   std::optional<BeamTable> blade, tower;
   Value blade_count{1.0, {}}, hub_radius, precone;  ///< -, m, rad towards downwind
   Value hub_mass, hub_inertia;                      ///< kg, kg m^2 about the axis
-  double hub_center = 0.0;                          ///< downwind of the hub's origin [m]
-  Value speed;                                      ///< of the rotor [rad/s]
-  bool has_rotor = false;                           ///< whether the axis is horizontal
+  std::vector<double> hub_tensor;  ///< in place of the inertia about the axis, as of the nacelle
+  double hub_center = 0.0;         ///< downwind of the hub's origin [m]
+  Value speed;                     ///< of the rotor [rad/s]
+  bool has_rotor = false;          ///< whether the axis is horizontal
   Value gravity;  ///< downwards [m/s^2]; not in the files: 0, the writer takes the standard value
   Value ground;   ///< its coordinate, upwards from the tower's foot [m]
   std::optional<Nacelle> nacelle;

@@ -64,15 +64,17 @@ void read_nacelle(KeyedLines& reader, FoundModel& model) {
               z = reader.number("NacCMzn");
   nacelle.center = {x.number, y.number, z.number};
   nacelle.center_from = x.from + ", and the next two";
-  nacelle.inertia = reader.positive("NacYIner");
+  Value inertia = reader.positive("NacYIner");
   const double steiner = nacelle.mass.number * (x.number * x.number + y.number * y.number);
-  if (!(nacelle.inertia.number > steiner))
-    reader.lines().refuse("NacYIner is " + describe(nacelle.inertia.number) +
+  if (!(inertia.number > steiner))
+    reader.lines().refuse("NacYIner is " + describe(inertia.number) +
                           ", expected more than NacMass times the distance of its centre from the "
                           "yaw axis squared, " +
                           describe(steiner));
-  nacelle.inertia.number -= steiner;
-  nacelle.inertia.from += ", less NacMass times the distance from the yaw axis squared";
+  inertia.number -= steiner;
+  nacelle.inertia = {0.5 * inertia.number, 0.5 * inertia.number, inertia.number};
+  nacelle.inertia_from =
+      inertia.from + ", less NacMass times the distance from the yaw axis squared";
   const Value overhang = reader.number("OverHang"), height = reader.number("Twr2Shft"),
               tilt = reader.number("ShftTilt");
   const double angle = tilt.number * kDegree;

@@ -321,7 +321,7 @@ void note_missing(const FoundFiles& files, FoundModel& model) {
                                     "foundation, soil, water, floater and moorings (the foot of "
                                     "the tower is held)");
     if (!model.air) model.leave_out(Loss::part, "in other files of a turbine: the air");
-  } else if (model.tower && !has_rotor) {
+  } else if (model.tower && !has_rotor && !files.has(windio)) {
     model.leave_out(
         Loss::part,
         "in other files of a turbine: the rotor and all else that the tower carries, "

@@ -95,7 +95,9 @@ void write_hub(const FoundModel& model, Toml& toml) {
     toml.key("mass", "1", "not in the files: next to nothing; put rotor and nacelle here");
   if (model.hub_center != 0.0)
     toml.key("center", digits(Eigen::Vector3d(model.hub_center, 0.0, 0.0)), "HubCM");
-  if (const double inertia = model.hub_inertia.number; inertia > 0.0)
+  if (!model.hub_tensor.empty())
+    toml.key("inertia", digits(model.hub_tensor), model.hub_inertia.from);
+  else if (const double inertia = model.hub_inertia.number; inertia > 0.0)
     toml.key("inertia", digits(Eigen::Vector3d(inertia, 0.5 * inertia, 0.5 * inertia)),
              model.hub_inertia.from);
   write_drive(model, toml);
@@ -107,9 +109,7 @@ void write_nacelle(const Nacelle& nacelle, Toml& toml) {
   toml.key("kind", "\"rigid\"");
   toml.key("mass", digits(nacelle.mass.number), nacelle.mass.from);
   toml.key("center", digits(nacelle.center), nacelle.center_from);
-  const double inertia = nacelle.inertia.number;
-  toml.key("inertia", digits(Eigen::Vector3d(0.5 * inertia, 0.5 * inertia, inertia)),
-           nacelle.inertia.from);
+  toml.key("inertia", digits(nacelle.inertia), nacelle.inertia_from);
 }
 
 void write_train(const FoundTrain& train, Toml& toml) {

@@ -11,6 +11,7 @@
 #include "program/foreign/section_check.h"
 #include "program/foreign/windio_aerodynamics.h"
 #include "program/foreign/windio_entry.h"
+#include "program/foreign/windio_turbine.h"
 
 namespace spoke::foreign {
 namespace {
@@ -177,20 +178,21 @@ bool is_version_2(const Entry& root) {
   return root.has("windIO_version") && root.at("windIO_version").text().starts_with('2');
 }
 
+/// Whether the rotor stands upwind of the tower.
+bool is_rotor_upwind(const Entry& root) {
+  if (!root.has("assembly") || !root.at("assembly").has("rotor_orientation")) return true;
+  return !is_same_word(root.at("assembly").at("rotor_orientation").text(), "downwind");
+}
+
 /// `unit`: of the cone angle [rad].
 void read_rotor(const Entry& root, double unit, FoundModel& model) {
-  bool is_upwind = true;
-  if (root.has("assembly")) {
-    const Entry assembly = root.at("assembly");
-    if (assembly.has("number_of_blades")) {
-      const Entry count = assembly.at("number_of_blades");
-      model.blade_count = {count.number(), count.from()};
-      if (!(count.number() >= 1.0 && count.number() <= 1000.0) ||
-          count.number() != std::floor(count.number()))
-        count.refuse("is " + describe(count.number()) + ", expected a whole number from 1 to 1000");
-    }
-    if (assembly.has("rotor_orientation"))
-      is_upwind = !is_same_word(assembly.at("rotor_orientation").text(), "downwind");
+  const bool is_upwind = is_rotor_upwind(root);
+  if (root.has("assembly") && root.at("assembly").has("number_of_blades")) {
+    const Entry count = root.at("assembly").at("number_of_blades");
+    model.blade_count = {count.number(), count.from()};
+    if (!(count.number() >= 1.0 && count.number() <= 1000.0) ||
+        count.number() != std::floor(count.number()))
+      count.refuse("is " + describe(count.number()) + ", expected a whole number from 1 to 1000");
   }
   if (!root.at("components").has("hub")) return;
   const Entry hub = root.at("components").at("hub");
@@ -208,10 +210,10 @@ void read_rotor(const Entry& root, double unit, FoundModel& model) {
   model.has_rotor = true;
 }
 
-void read_gravity(const Entry& root, FoundModel& model) {
+void read_gravity(const Entry& root, bool has_tower, FoundModel& model) {
   if (!root.has("environment") || !root.at("environment").has("gravity")) return;
   const Entry gravity = root.at("environment").at("gravity");
-  model.gravity = {gravity.number(), gravity.from() + ", down across the axis"};
+  model.gravity = {gravity.number(), gravity.from() + (has_tower ? "" : ", down across the axis")};
   if (!(gravity.number() >= 0.0))
     gravity.refuse("is " + describe(gravity.number()) + ", expected 0 or more (m/s^2)");
 }
@@ -229,6 +231,22 @@ void read_blade(const BladeTables& tables, double unit, FoundModel& model) {
   model.blade = std::move(beam);
 }
 
+/// What the model has not of the file.
+void note_missing_parts(const std::string& file, bool has_turbine, bool has_air,
+                        FoundModel& model) {
+  if (has_turbine)
+    model.leave_out(Loss::part, file +
+                                    ": gains of control and the torque of the generator, which are "
+                                    "not in an ontology (the drive holds the speed); monopile, "
+                                    "floater, moorings (the foot of the tower is held)");
+  else
+    model.leave_out(Loss::part, file +
+                                    ": tower, nacelle, generator and control; the hub is held, its "
+                                    "mass is not in the file");
+  model.leave_out(Loss::detail, file + ": " + (has_air ? "shapes of the aerofoils" : "airfoils") +
+                                    ", layers of the blades and their materials");
+}
+
 }  // namespace
 
 void read_windio(const SourceFile& source, FoundModel& model) {
@@ -243,14 +261,12 @@ void read_windio(const SourceFile& source, FoundModel& model) {
                                       : read_tables_of_version_1(blade, asymmetry);
     read_blade(tables, unit, model);
     const bool has_air = has_windio_aerodynamics(root, is_new);
-    model.leave_out(
-        Loss::part,
-        source.name + ": tower, nacelle, generator, " +
-            (has_air ? "shapes of the aerofoils" : "airfoils") +
-            ", materials, layers and control; the hub is held, its mass is not in the file");
+    const bool has_turbine = !is_new && has_windio_turbine(root);
     if (has_air) read_windio_aerodynamics(root, is_new, tables.axis, tables.twist, model);
     read_rotor(root, unit, model);
-    read_gravity(root, model);
+    read_gravity(root, has_turbine, model);
+    if (has_turbine) read_windio_turbine(root, is_rotor_upwind(root), model);
+    note_missing_parts(source.name, has_turbine, has_air, model);
   } catch (const YAML::Exception& error) {
     refuse(source.name, error.mark.is_null() ? 0 : error.mark.line + 1,
            "is no YAML: " + printable(error.msg) + ", expected an ontology of WindIO");
