@@ -5,7 +5,8 @@
 #include <string>
 
 #include "program/foreign/found_air.h"
-#include "program/foreign/scenario_writer.h"
+#include "program/foreign/scenario_places.h"
+#include "program/foreign/value.h"
 #include "program/foreign/toml_text.h"
 
 namespace spoke::foreign {

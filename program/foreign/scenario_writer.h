@@ -5,15 +5,9 @@
 #include <string>
 
 #include "program/foreign/beam_table.h"
+#include "program/foreign/scenario_places.h"
 
 namespace spoke::foreign {
-
-/// Where the files of a scenario are.
-struct ScenarioPlaces {
-  std::string folder;    ///< of the scenario; empty: that in which the program runs
-  std::string airfoils;  ///< folder of the aerofoils' tables, relative to that of the scenario
-  std::string wind;      ///< table of the wind, likewise
-};
 
 /// Returns the text of a scenario in space, with comments on where each value came from and on what
 /// was left out. Without `places` it stands alone: polars are in the text, there is neither a file
