@@ -198,6 +198,9 @@ class SPOKE_EXPORT Simulation {
   std::vector<Warning> warnings() const;
   /// Returns the largest estimated error of a step so far.
   StepAccuracy step_accuracy() const;
+  /// Returns the events of the scenario in its order, with the times at which they acted. They
+  /// depend on the steps alone; restore() sets them back.
+  std::vector<EventInRun> events() const;
 
   /// Returns the motion of the hub at time(). Throws InputError if the model is in space.
   HubMotion hub() const;

@@ -46,9 +46,10 @@ struct LibraryRecord {
 };
 
 /// The place of a controller that is not the scenario's own: an object of the program, or a library
-/// of Bladed's kind (docs/scenario.md, [control.program] and [control.library]). It is called in
-/// samples, between steps, and sets the torque of the drive, the pitch of each blade and the yaw.
-/// Of several rotors it is that of the first one.
+/// of Bladed's kind (docs/scenario.md, [control.program] and [control.library]); or what events
+/// move where there is no controller ([control.turbine]). It is called in samples, between steps,
+/// and sets the torque of the drive, the pitch of each blade and the yaw. Of several rotors it is
+/// that of the first one.
 struct OuterControl {
   /// Names of the joints that follow the demanded pitch, as PitchControl::joints; may be empty.
   std::vector<std::string> joints{};
@@ -64,6 +65,8 @@ struct OuterControl {
   /// Time between samples, in steps to the nearest whole number from 1 on [s]; none: a step.
   std::optional<double> period = std::nullopt;
 
+  bool has_controller = true;  ///< false: events alone move the joints
+
   // Of a library.
   std::string file{};   ///< the library; empty: an object of the program
   std::string input{};  ///< accINFILE, the file that it reads its parameters from; may be empty
@@ -77,7 +80,10 @@ struct OuterControl {
 
   bool is_library() const { return !file.empty(); }
   /// Returns the table of a scenario that it stands in.
-  std::string_view table() const { return is_library() ? "control.library" : "control.program"; }
+  std::string_view table() const {
+    if (!has_controller) return "control.turbine";
+    return is_library() ? "control.library" : "control.program";
+  }
 };
 
 /// Returns the factor of the gains at a pitch angle [rad].

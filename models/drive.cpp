@@ -2,6 +2,7 @@
 
 #include "models/drive.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -76,10 +77,20 @@ DriveMotion calc_motion(const Drive& drive, double t) {
       drive);
 }
 
+double calc_torque(const Brake& brake, double speed) {
+  const double x = std::clamp(speed / brake.speed, -1.0, 1.0);
+  return -brake.torque * x * (1.5 - 0.5 * x * x);
+}
+
 double calc_torque(const Drive& drive, double t, double speed) {
-  if (const auto* torque = std::get_if<TorqueDrive>(&drive)) return torque->torque.value(t);
+  const auto braked = [speed](double torque, const Brake& brake) {
+    return brake.torque > 0.0 ? torque + calc_torque(brake, speed) : torque;
+  };
+  if (const auto* torque = std::get_if<TorqueDrive>(&drive))
+    return braked(torque->torque.value(t), torque->brake);
   const auto* by_speed = std::get_if<TorqueBySpeed>(&drive);
-  return by_speed == nullptr ? 0.0 : by_speed->torque.value(speed) * calc_rise(t, by_speed->ramp);
+  if (by_speed == nullptr) return 0.0;
+  return braked(by_speed->torque.value(speed) * calc_rise(t, by_speed->ramp), by_speed->brake);
 }
 
 double calc_initial_speed(const Drive& drive) {

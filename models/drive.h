@@ -38,10 +38,17 @@ struct ConstantSpeed {
   double speed = 0.0;  ///< [rad/s]
 };
 
+/// A brake on what a drive turns, which an event has put on.
+struct Brake {
+  double torque = 0.0;  ///< [N m]
+  double speed = 0.01;  ///< from which on it has that torque; less below [rad/s]
+};
+
 /// A torque acts on the hub [N m]; its rotation is an unknown of (P 9).
 struct TorqueDrive {
   Curve torque;                ///< torque over time [N m]
   double initial_speed = 0.0;  ///< [rad/s]
+  Brake brake{};               ///< besides
 };
 
 /// A torque that depends on the hub's speed acts on the hub: a motor or a generator. Its rotation
@@ -51,6 +58,7 @@ struct TorqueBySpeed {
   double initial_speed = 0.0;  ///< [rad/s]
   /// Duration of the torque's smooth rise, calc_rise() [s]; 0: at once.
   double ramp = 0.0;
+  Brake brake{};  ///< besides
 };
 
 /// Nothing acts on the hub's rotation.
@@ -77,6 +85,9 @@ SPOKE_EXPORT bool prescribes_motion(const Drive& drive);
 
 /// Returns the prescribed rotation at time t [s]. Precondition: prescribes_motion(drive).
 SPOKE_EXPORT DriveMotion calc_motion(const Drive& drive, double t);
+
+/// Returns the torque [N m] of a brake at this speed [rad/s]: it goes smoothly through 0 at rest.
+SPOKE_EXPORT double calc_torque(const Brake& brake, double speed);
 
 /// Returns the torque [N m] that the drive applies at time t [s] to a hub of this speed [rad/s]; 0
 /// for drives that prescribe the motion.

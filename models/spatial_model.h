@@ -20,6 +20,7 @@
 #include "models/curve.h"
 #include "models/drive.h"
 #include "models/drive_train.h"
+#include "models/event.h"
 #include "models/loop.h"
 #include "models/mount_motion.h"
 #include "models/rotor.h"
@@ -478,6 +479,7 @@ struct Model {
   std::optional<PitchControl> pitch_control = std::nullopt;  ///< collective pitch; none: no control
   /// A controller that a library or the program gives; not along with pitch_control.
   std::optional<OuterControl> outer_control = std::nullopt;
+  std::vector<Event> events{};            ///< that happen once each
   std::optional<Air> air = std::nullopt;  ///< around the blades; none: vacuum
 };
 

@@ -61,6 +61,12 @@ FUNCTIONS = {
     "program_control": (["control.program"],
                         "What a controller of the program may move: "
                         "control={\"program\": program_control(...)}."),
+    "turbine_control": (["control.turbine"],
+                        "What events move without a controller: "
+                        "control={\"turbine\": turbine_control(...)}."),
+    "event": (["event"], "What happens once: a fault, a stop, in space."),
+    "event_pitch": (["event.pitch"], "How an event turns blades."),
+    "event_yaw": (["event.yaw"], "How an event turns the yaw joint."),
     "air": (["air"], "Air around the blades, in space."),
     "wind": (["wind"], "Wind before a rotor disturbs it, in space."),
     "gust": (["wind.gust"], "A gust of the wind."),

@@ -26,7 +26,7 @@ namespace {
 // The frame, which all formats share: magic, format, length of the content, content, checksum of
 // all bytes before it.
 constexpr std::string_view kMagic = "SPOKECKP";
-constexpr std::uint32_t kFormat = 8;
+constexpr std::uint32_t kFormat = 9;
 constexpr std::size_t kHeader = 8 + 4 + 8;
 constexpr std::size_t kFrame = kHeader + 4;
 

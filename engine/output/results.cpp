@@ -109,6 +109,13 @@ Json describe_accuracy(const Simulation& simulation) {
           {"step_for_limit_s", accuracy.step}};
 }
 
+Json describe_events(const std::vector<EventInRun>& events) {
+  Json json = Json::array();
+  for (const EventInRun& event : events)
+    json.push_back({{"name", event.name}, {"t", event.time ? Json(*event.time) : Json(nullptr)}});
+  return json;
+}
+
 const char* status_of(const RunOutcome& outcome) {
   if (!outcome.divergence.empty()) return "diverged";
   return outcome.interruption.empty() ? "completed" : "interrupted";
@@ -190,6 +197,8 @@ Json summarise(const Simulation& simulation, const SensorStatistics& statistics,
                   {"sensors", describe_sensors(simulation, statistics)}});
   if (const LoopsAtStart loops = simulation.loops_at_start(); !loops.subsystems.empty())
     summary.set("loops", describe_loops_at_start(loops));
+  if (const std::vector<EventInRun> events = simulation.events(); !events.empty())
+    summary.set("events", describe_events(events));
   return summary;
 }
 

@@ -47,7 +47,9 @@ int SimulationCore::find_rotor(std::string_view name) const {
 }
 
 void SimulationCore::set_drive(const Drive& next, int rotor) {
-  replace(model->drive(rotor), next);
+  const bool is_acted_on = events && rotor == 0;
+  replace(model->drive(rotor), is_acted_on ? events->act_on(next) : next);
+  if (is_acted_on) events->set_own_drive(next);
   replace_jumps_of(next, rotor);
   log_jumps();
 }
@@ -64,7 +66,9 @@ void SimulationCore::put_anchor_motion(std::string_view name,
 }
 
 void SimulationCore::put_drive(const Drive& next, int rotor) {
-  model->drive(rotor) = next;
+  const bool is_acted_on = events && rotor == 0;
+  model->drive(rotor) = is_acted_on ? events->act_on(next) : next;
+  if (is_acted_on) events->set_own_drive(next);
   replace_jumps_of(next, rotor);
 }
 

@@ -29,6 +29,7 @@ SimulationCore::SimulationCore(SimulationCore& original)
   const std::int64_t steps = original.runner->steps();
   model = original.model->copy(scenario, window_records(how, original.model->ring_bytes()), steps);
   if (original.control) control = original.control->clone(scenario);
+  if (original.events) events = std::make_unique<Events>(*original.events);
   if (options.controller) options.controller = control->controller();
   runner = std::make_unique<StepRunner>(model->context(), how);
   runner->continue_from(steps);

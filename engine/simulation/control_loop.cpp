@@ -85,15 +85,17 @@ DemandedDrive ControlLoop::sample(std::int64_t step, const Scenario& scenario,
 
 void ControlLoop::put_angles(double t, SimulatedModel& model) {
   std::vector<SubsystemData<Space>>& subsystems = model.space()->data.subsystems;
+  const auto demand = [&](double demanded, SubsystemData<Space>& subsystem) {
+    for (ControlState& angle : subsystem.controls)
+      if (angle.held == 0.0) demand_angle(demanded, t, period_, angle);
+  };
   for (std::size_t k = 0; k < commands_.pitch.size(); ++k)
-    for (ControlState& angle : subsystems[measurement_.blades()[k]].controls)
-      demand_angle(commands_.pitch[k], t, period_, angle);
+    demand(commands_.pitch[k], subsystems[measurement_.blades()[k]]);
   if (place_->yaw_joint.empty()) return;
   yaw_ += commands_.yaw_rate * period_;
-  for (ControlState& angle : subsystems.back().controls) demand_angle(yaw_, t, period_, angle);
+  demand(yaw_, subsystems.back());
 }
 
-/// Returns the drive that the newest sample demands.
 Drive ControlLoop::make_drive() const {
   if (sampled_ < 0) return own_drive_;
   const double sense = place_->direction, torque = sense * commands_.torque;
@@ -120,8 +122,7 @@ SavedControl ControlLoop::save() const {
   return saved;
 }
 
-void ControlLoop::restore(const std::optional<SavedControl>& saved, std::int64_t steps,
-                          SimulatedModel& model) {
+void ControlLoop::restore(const std::optional<SavedControl>& saved, std::int64_t steps) {
   if (!saved || saved->sampled < -1 || saved->sampled > steps ||
       saved->commands.size() != kNumbers + commands_.pitch.size() ||
       !std::all_of(saved->commands.begin(), saved->commands.end(),
@@ -139,7 +140,6 @@ void ControlLoop::restore(const std::optional<SavedControl>& saved, std::int64_t
   yaw_ = numbers[3];
   commands_.brake = numbers[4];
   std::copy(numbers.begin() + kNumbers, numbers.end(), commands_.pitch.begin());
-  model.drive(0) = make_drive();
 }
 
 std::unique_ptr<ControlLoop> ControlLoop::clone(const Scenario& scenario) const {
@@ -158,9 +158,9 @@ std::unique_ptr<ControlLoop> make_control_loop(const Scenario& scenario, double 
                                                SimulatedModel& model) {
   const OuterControl* const place =
       scenario.space && scenario.space->outer_control ? &*scenario.space->outer_control : nullptr;
-  if (given && (!place || place->is_library()))
+  if (given && (!place || place->is_library() || !place->has_controller))
     throw InputError("a controller is given, but the scenario has no [control.program]");
-  if (!place) return nullptr;
+  if (!place || !place->has_controller) return nullptr;
   if (place->is_library())
     given = make_bladed_library(scenario, model);
   else if (!given)

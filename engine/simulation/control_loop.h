@@ -42,16 +42,17 @@ class ControlLoop {
 
   /// Returns what a saved state holds of it. Throws InputError if the controller gives nothing.
   SavedControl save() const;
-  /// Goes to a state saved after `steps` steps, and puts its drive into `model`. Throws InputError,
-  /// and changes nothing, if there is none of it.
-  void restore(const std::optional<SavedControl>& saved, std::int64_t steps, SimulatedModel& model);
+  /// Goes to a state saved after `steps` steps. Throws InputError, and changes nothing, if there is
+  /// none of it.
+  void restore(const std::optional<SavedControl>& saved, std::int64_t steps);
+  /// Returns the drive that the newest sample demands.
+  Drive make_drive() const;
   /// Returns a copy for a simulation of a copy of the scenario. Throws InputError if the controller
   /// gives none.
   std::unique_ptr<ControlLoop> clone(const Scenario& scenario) const;
   const std::shared_ptr<Controller>& controller() const { return controller_; }
 
  private:
-  Drive make_drive() const;
   void require_possible(const ControlCommands& commands, double t, std::int64_t step) const;
   void put_angles(double t, SimulatedModel& model);
 

@@ -320,7 +320,7 @@ std::optional<Eigen::Vector3d> find_mean_wind(const Scenario& scenario) {
 Courses courses(const Simulation& simulation) {
   SimulationCore& core = core_of(const_cast<Simulation&>(simulation));  // changes nothing
   Courses found;
-  found.drive = core.model->drive(0);
+  found.drive = core.own_drive(0);
   if (core.scenario.space)
     for (int r = 1; r < count_rotors(*core.scenario.space); ++r)
       found.rotors.push_back({hub_of(*core.scenario.space, r).name, core.model->drive(r)});

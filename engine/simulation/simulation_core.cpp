@@ -85,6 +85,7 @@ SimulationCore::SimulationCore(const Scenario& asked, const SimulationOptions& c
       step_size(given.integration.duration / static_cast<double>(planned_steps)) {
   prepare(loads);
   control = make_control_loop(scenario, step_size, options.controller, *model);
+  events = make_events(scenario, step_size, *model);
   begin();
 }
 
@@ -128,7 +129,10 @@ void SimulationCore::require_shareable(const Loads& loads) const {
   if (options.formulation == Formulation::augmented)
     throw InputError(text + "the formulation is augmented, expected structured or subsystem");
   if (!loads.empty()) throw InputError(text + "expected no loads of the program's");
-  if (scenario.space && scenario.space->outer_control)
+  if (scenario.space && !scenario.space->events.empty())
+    throw InputError(text + "[[event]] acts between steps, expected one process");
+  if (scenario.space && scenario.space->outer_control &&
+      scenario.space->outer_control->has_controller)
     throw InputError(text + "[" + std::string(scenario.space->outer_control->table()) +
                      "] is called between steps, expected one process");
   for (const Anchor& anchor : scenario.space ? scenario.space->anchors : scenario.rotor.anchors)
@@ -159,7 +163,7 @@ void SimulationCore::require_shareable(const Loads& loads) const {
 
 void SimulationCore::step() {
   if (runner->steps() >= planned_steps) return;
-  sample_control();
+  act_between_steps();
   require_done([this] {
     return runner->advance_one([this](std::int64_t step) {
       if (stops_on_growth()) sample(step);
@@ -173,16 +177,41 @@ void SimulationCore::run_to(std::int64_t target, const StepObserver& observe) {
   const bool observed = observe || stops_on_growth();
   target = std::min(target, planned_steps);
   do {
-    sample_control();
-    const std::int64_t end = control ? std::min(target, control->next(runner->steps())) : target;
+    act_between_steps();
+    const std::int64_t end = next_action(target);
     require_done([&] { return runner->advance_to(end, observed, completed); });
   } while (runner->steps() < target && !runner->is_stopping());
+}
+
+/// Lets events and a controller from outside act where the simulation stands.
+void SimulationCore::act_between_steps() {
+  take_events();
+  sample_control();
+}
+
+/// Returns the step at whose end something acts next; at most `target`.
+std::int64_t SimulationCore::next_action(std::int64_t target) const {
+  const std::int64_t step = runner->steps();
+  if (control && !(events && events->stops_controller()))
+    target = std::min(target, control->next(step));
+  return events ? std::min(target, events->next(step, *model)) : target;
+}
+
+void SimulationCore::take_events() {
+  const std::int64_t step = runner->steps();
+  if (!events || step >= planned_steps || !events->is_due(step)) return;
+  require_state("go on from");
+  const Calling calling(*this);
+  const std::span<const double> sensors =
+      events->reads_sensors() ? std::span<const double>(values()) : std::span<const double>{};
+  if (events->take(step, sensors, *model)) set_drive(events->own_drive(), 0);
 }
 
 /// Lets a controller from outside take a sample where the simulation stands, if it is due.
 void SimulationCore::sample_control() {
   const std::int64_t step = runner->steps();
   if (!control || step >= planned_steps || !control->is_due(step)) return;
+  if (events && events->stops_controller()) return;
   require_state("go on from");
   const Calling calling(*this);
   const DemandedDrive demanded = control->sample(step, scenario, values(), *model);
@@ -192,8 +221,11 @@ void SimulationCore::sample_control() {
     put_drive(demanded.drive, 0);
 }
 
-/// Throws InputError, which refuses `what`, if a controller is called between the steps of a run.
-void SimulationCore::require_uncontrolled(const char* what) const {
+/// Throws InputError, which refuses `what`, if a controller is called or events act between the
+/// steps of a run.
+void SimulationCore::require_nothing_between_steps(const char* what) const {
+  if (events)
+    throw InputError(std::string(what) + ": [[event]] acts between steps, expected no events");
   if (control)
     throw InputError(std::string(what) + ": [" +
                      std::string(scenario.space->outer_control->table()) +
@@ -204,7 +236,7 @@ StepTrace SimulationCore::trace(std::int64_t target, const StepObserver& observe
                                 const TraceOptions& trace_options) {
   const auto completed = [this, &observe](std::int64_t step) { complete_step(step, observe); };
   const bool observed = observe || stops_on_growth();
-  require_uncontrolled("a trace");
+  require_nothing_between_steps("a trace");
   if (is_shared())
     throw InputError("a trace: several processes simulate the model together, expected one");
   StepTrace trace;
@@ -221,7 +253,7 @@ StepTrace SimulationCore::trace(std::int64_t target, const StepObserver& observe
 }
 
 void SimulationCore::measure(std::int64_t target, graph::Executor& executor) {
-  require_uncontrolled("a comparison of executors");
+  require_nothing_between_steps("a comparison of executors");
   require_done([&] {
     return runner->advance_by(executor, std::min(target, planned_steps), stops_on_growth(),
                               [this](std::int64_t step) { complete_step(step, {}); });
@@ -301,9 +333,10 @@ SavedState SimulationCore::save() {
           control ? std::optional(control->save()) : std::nullopt};
 }
 
-// Returns the values of the table, then the observations.
+// Returns the values of the table, then those of events, then the observations.
 std::vector<double> SimulationCore::take_values(std::int64_t steps) {
   std::vector<double> values = take_state_values(steps, model->context().table());
+  if (events) events->save(values);
   const std::span<const double> observed = doubles(seen);
   values.insert(values.end(), observed.begin(), observed.end());
   return values;
@@ -320,7 +353,8 @@ void SimulationCore::restore(const SavedState& state) {
     if (!difference.empty()) throw InputError("the saved state is of another model: " + difference);
   }
   const std::size_t table_count = model->count_state();
-  const std::size_t count = table_count + doubles(seen).size();
+  const std::size_t of_events = events ? events->count_saved() : 0;
+  const std::size_t count = table_count + of_events + doubles(seen).size();
   if (state.values.size() != count)
     throw InputError("the saved state has " + counted(std::ssize(state.values), "value") +
                      ", expected " + std::to_string(count) +
@@ -338,12 +372,26 @@ void SimulationCore::restore(const SavedState& state) {
   };
   if (!is_possible(before, has_body, has_loop_row))
     throw InputError("the saved state names a body or a loop that there is not");
-  if (control) control->restore(state.control, state.steps, *model);
+  const std::span<const double> saved_events =
+      std::span<const double>(state.values).subspan(table_count, of_events);
+  if (events && !events->is_possible(saved_events, state.steps))
+    throw InputError("the saved state has events at steps that it has not made");
+  if (control) control->restore(state.control, state.steps);
+  if (events) events->restore(saved_events);
+  put_drive_in_force();
   seen = before;
   put(state.values, state.steps);
   evaluations = state.evaluations;
   work = {state.work, state.dissipated};
   SimulationLog::log_restored(scenario, static_cast<double>(state.steps) * step_size, state.steps);
+}
+
+/// Puts the drive into the model that controller and events of a restored state demand.
+void SimulationCore::put_drive_in_force() {
+  if (!control && !events) return;
+  const Drive own = control ? control->make_drive() : own_drive(0);
+  model->drive(0) = events ? events->act_on(own) : own;
+  if (events) events->set_own_drive(own);
 }
 
 /// Puts the coordinates of a state of this model into the table.
@@ -371,7 +419,7 @@ void SimulationCore::begin_again(const Scenario& next, std::span<const double> s
 
 bool may_begin_again(const Scenario& scenario) {
   return scenario.initial.state != InitialState::equilibrium &&
-         !(scenario.space && scenario.space->outer_control);
+         !(scenario.space && (scenario.space->outer_control || !scenario.space->events.empty()));
 }
 
 /// Whether the energies of every step are looked at.

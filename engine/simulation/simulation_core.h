@@ -15,6 +15,7 @@
 #include "engine/load.h"
 #include "engine/saved_state.h"
 #include "engine/simulation/control_loop.h"
+#include "engine/simulation/events.h"
 #include "engine/simulation/observations.h"
 #include "engine/simulation/sensors.h"
 #include "engine/simulation/simulated_model.h"
@@ -90,6 +91,11 @@ class SimulationCore {
   void put_joint_motion(const JointPlace& place, const space::DrivenMotion& course);
   void put_anchor_motion(std::string_view name, const decltype(AnchorModel::motion)& course);
   void put_drive(const Drive& next, int rotor);
+  /// Returns the drive of a rotor that scenario, controller or program have put in force: what
+  /// events leave of it is that of the model.
+  const Drive& own_drive(int rotor) const {
+    return events && rotor == 0 ? events->own_drive() : model->drive(rotor);
+  }
   /// Returns the joints of a model in space. Throws InputError, which refuses `what`, if the model
   /// is in the plane.
   SpatialJoints& joints(const char* what) const;
@@ -113,6 +119,7 @@ class SimulationCore {
   std::map<std::string, double> load_factors;  ///< that the program has set, by name of the loads
   std::vector<JointTorque> torques;            ///< that the program has set, 0 included
   std::unique_ptr<ControlLoop> control;        ///< null: no controller from outside
+  std::unique_ptr<Events> events;              ///< null: none
   double energy_resolution = 0.0;              ///< [J]
   SimulationLog log;
   /// Sensor values, measured when first read after a step.
@@ -146,8 +153,12 @@ class SimulationCore {
   void prepare(const Loads& loads);
   void begin();
   void put(std::span<const double> values, std::int64_t steps);
+  void act_between_steps();
+  void take_events();
   void sample_control();
-  void require_uncontrolled(const char* what) const;
+  std::int64_t next_action(std::int64_t target) const;
+  void put_drive_in_force();
+  void require_nothing_between_steps(const char* what) const;
   void require_shareable(const Loads& loads) const;
   void sample(std::int64_t step);
   /// Returns the present time [s].

@@ -110,6 +110,10 @@ Wrench Simulation::section_force(const Marker& marker) const {
   return core_->model->section_force(marker);
 }
 
+std::vector<EventInRun> Simulation::events() const {
+  return core_->events ? core_->events->in_run() : std::vector<EventInRun>{};
+}
+
 std::uint64_t Simulation::state_hash() const { return core_->model->hash(); }
 
 }  // namespace spoke

@@ -102,7 +102,7 @@ void read_world(const TomlDocument& document, const TomlSection& root, const std
       root.fail_at(path, "is \"solid\", and solids belong to world = \"space\"");
     refuse("subsystem", "\"space\"");
     for (const char* key :
-         {"support", "rotor", "control", "air", "wind", "aerodynamics", "airfoil"})
+         {"support", "rotor", "control", "event", "air", "wind", "aerodynamics", "airfoil"})
       refuse(key, "\"space\"");
     if (has_suspension(document.root()))
       root.fail_at("hub.suspension", "belongs to another world, expected world = \"space\"");

@@ -255,10 +255,18 @@ std::string describe(const PitchControl& control) {
 /// Returns what is called in samples: "library libdiscon.so, joint pitch, every 0.01 s".
 std::string describe(const OuterControl& control) {
   std::string text = control.is_library() ? "library " + control.file : "of the program";
+  if (!control.has_controller) text = "by events alone";
   for (const std::string& joint : control.joints) text += ", joint " + joint;
   if (!control.yaw_joint.empty()) text += ", yaw by " + control.yaw_joint;
+  if (!control.has_controller) return text;
   return text + (control.period ? fmt::format(", every {} s", number(*control.period))
                                 : std::string(", every step"));
+}
+
+std::string describe(const Event& event, std::size_t index) {
+  std::string text = name_of_event(event, index);
+  text += event.at ? fmt::format(" at {} s", number(*event.at)) : " when " + event.when;
+  return text + (event.delay > 0.0 ? fmt::format(", {} s later", number(event.delay)) : "");
 }
 
 }  // namespace
@@ -297,6 +305,8 @@ void print_space(const spatial::Model& model) {
   }
   if (model.outer_control) print_line("control", describe(*model.outer_control));
   if (model.pitch_control) print_line("pitch", describe(*model.pitch_control));
+  for (std::size_t k = 0; k < model.events.size(); ++k)
+    print_line(k == 0 ? "events" : "", describe(model.events[k], k));
 }
 
 }  // namespace spoke::cli

@@ -287,6 +287,13 @@ void print_result(const Simulation& simulation, const Recording& recording,
     print_line("", counted(static_cast<std::int64_t>(tips.size() - kMostTipLines), "smaller one") +
                        ": see summary.json");
   }
+  bool is_first = true;
+  for (const EventInRun& event : simulation.events()) {
+    print_line(is_first ? "events" : "",
+               event.time ? fmt::format("{} at {:.6g} s", event.name, *event.time)
+                          : event.name + " did not happen");
+    is_first = false;
+  }
   print_line("energy", describe_energy(simulation, recording.statistics));
   const std::string momentum = describe_momentum(simulation, recording.statistics);
   if (!momentum.empty()) print_line("momentum", momentum);

@@ -171,6 +171,7 @@ class Player {
 function startPage() {
   const data = JSON.parse(document.getElementById('run-data').textContent);
   const axis = new TimeAxis(0, data.end);
+  axis.events = data.events ?? [];
   const region = document.getElementById('spoken');
   const say = (text) => (region.textContent = text);
   const scene = data.animation ? new Scene(data.scene) : null;

@@ -14,6 +14,7 @@ class TimeAxis {
     this.view = [begin, end];
     this.cursor = null; // place of the pointer or the keyboard
     this.marker = null; // time of the animation
+    this.events = []; // {name, t}: times with names, in order
     this.listeners = [];
   }
   listen(callback) {
@@ -90,7 +91,8 @@ class TimePlot {
         high = Math.max(high, value);
       }
     const count = this.plot.curves.length;
-    return `${this.plot.title} over time, ${count} ${count === 1 ? 'curve' : 'curves'}, between ${numberText(low)} and ${numberText(high)} ${this.plot.unit}`;
+    const events = this.axis.events.map(({ name, t }) => `, ${name} at ${numberText(t)} s`).join('');
+    return `${this.plot.title} over time, ${count} ${count === 1 ? 'curve' : 'curves'}, between ${numberText(low)} and ${numberText(high)} ${this.plot.unit}${events}`;
   }
 
   addKey(curve) {
@@ -164,6 +166,7 @@ class TimePlot {
     const left = Math.max(kMargin.left, Math.ceil(widest) + 12);
     this.area = { left, width: Math.max(1, width - left - kMargin.right), height: plotHeight };
     this.drawGrid(context, labels);
+    this.drawEvents(context);
     context.save();
     context.beginPath();
     context.rect(this.area.left, kMargin.top, this.area.width, this.area.height);
@@ -224,6 +227,32 @@ class TimePlot {
       context.fillStyle = colorOf('--soft');
       const isLast = tick === ticks[ticks.length - 1];
       context.fillText(tick.toFixed(decimals) + (isLast ? ' s' : ''), x, bottom + 8);
+    }
+  }
+
+  /** Lines at the events in view, each with its name as far as it is clear of the one before. */
+  drawEvents(context) {
+    const right = this.area.left + this.area.width;
+    let clear = this.area.left;
+    context.textBaseline = 'top';
+    for (const { name, t } of this.axis.events) {
+      const x = Math.round(this.xOf(t)) + 0.5;
+      if (x < this.area.left || x > right) continue;
+      context.strokeStyle = colorOf('--ink');
+      context.lineWidth = 1;
+      context.setLineDash([2, 3]);
+      context.beginPath();
+      context.moveTo(x, kMargin.top);
+      context.lineTo(x, kMargin.top + this.area.height);
+      context.stroke();
+      context.setLineDash([]);
+      const size = context.measureText(name).width;
+      const begin = x + 4 + size <= right ? x + 4 : x - 4 - size;
+      if (begin < clear) continue;
+      context.fillStyle = colorOf('--ink');
+      context.textAlign = 'left';
+      context.fillText(name, begin, kMargin.top + 2);
+      clear = begin + size + 6;
     }
   }
 

@@ -271,7 +271,7 @@ std::string make_html(const Simulation& simulation, const SensorStatistics& stat
   page.add_fact_groups({model_facts(simulation), setting_facts(simulation), machine_facts()});
   page.add_heading("Extremes of the sensors");
   page.add_table(extremes(simulation, statistics));
-  page.add_data("run-data", make_data(recorder));
+  page.add_data("run-data", make_data(recorder, simulation.events()));
   page.add_script(report::run_script());
   return page.html();
 }

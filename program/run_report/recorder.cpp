@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "engine/bodies/space/solid_output.h"
 #include "models/support/json.h"
@@ -120,6 +121,17 @@ Json describe_animation(const Animation& animation) {
                          {"bending", bending.unit}}}};
 }
 
+/// Adds the events that have acted, in order of time.
+void add_events(const std::vector<EventInRun>& events, Json& data) {
+  std::vector<EventInRun> acted;
+  std::copy_if(events.begin(), events.end(), std::back_inserter(acted),
+               [](const EventInRun& event) { return event.time.has_value(); });
+  std::stable_sort(acted.begin(), acted.end(),
+                   [](const auto& a, const auto& b) { return *a.time < *b.time; });
+  for (const EventInRun& event : acted)
+    data.append("events", {{"name", event.name}, {"t", *event.time}});
+}
+
 }  // namespace
 
 Recorder::Recorder(const Simulation& simulation)
@@ -139,13 +151,14 @@ void Recorder::add_row(double t, std::span<const double> sensors) {
   curves_.add(t, values_);
 }
 
-std::string make_data(const Recorder& recorder) {
+std::string make_data(const Recorder& recorder, const std::vector<EventInRun>& events) {
   double end = 0.0;
   const auto samples = recorder.curves().curve(0);
   if (!samples.empty()) end = samples.back().t;
   if (!recorder.animation().times().empty())
     end = std::max(end, recorder.animation().times().back());
   Json data = {{"end", end > 0.0 ? end : 1.0}, {"plots", describe_plots(recorder)}};
+  add_events(events, data);
   if (recorder.animation().times().size() > 1) {
     data.set("scene", describe_scene(recorder.animation().scene()));
     data.set("animation", describe_animation(recorder.animation()));

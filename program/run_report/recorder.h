@@ -34,6 +34,6 @@ class Recorder {
 };
 
 /// Returns the data of the page's script, as JSON.
-std::string make_data(const Recorder& recorder);
+std::string make_data(const Recorder& recorder, const std::vector<EventInRun>& events);
 
 }  // namespace spoke::run_report

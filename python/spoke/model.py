@@ -76,6 +76,9 @@ __all__ = [
     "damping",
     "distributed_load",
     "drag",
+    "event",
+    "event_pitch",
+    "event_yaw",
     "friction",
     "gravity",
     "gust",
@@ -110,6 +113,7 @@ __all__ = [
     "subsystem",
     "support",
     "suspension",
+    "turbine_control",
     "turbulence",
     "wind",
 ]
@@ -117,9 +121,9 @@ __all__ = [
 
 def scenario(*, integration, title=None, world=None, hub=None, anchor=None, blade=None, blades=None,
              subsystem=None, support=None, rotor=None, gravity=None, damping=None, load=None,
-             distributed_load=None, drag=None, hub_load=None, control=None, initial=None,
-             limits=None, output=None, sensor=None, air=None, wind=None, aerodynamics=None,
-             airfoil=None, statistics=None):
+             distributed_load=None, drag=None, hub_load=None, control=None, event=None,
+             initial=None, limits=None, output=None, sensor=None, air=None, wind=None,
+             aerodynamics=None, airfoil=None, statistics=None):
     """A whole scenario, for spoke.Simulation and spoke.read_scenario().
 
     title: text printed and written to the results
@@ -138,6 +142,7 @@ def scenario(*, integration, title=None, world=None, hub=None, anchor=None, blad
     drag: in the plane: drag
     hub_load: forces and torques on the hub
     control: in space: control of pitch, a library, or a controller of the program's
+    event: in space: what happens once
     initial: where the simulation starts
     integration: how the motion is integrated, and for how long
     limits: limits of the results
@@ -873,6 +878,62 @@ def program_control(*, joint=None, joints=None, initial=None, sign=None, yaw_joi
     brake_torque: of the shaft brake that is on, on the hub's side [N m]
     brake_speed: of the hub, from which on the brake has that torque [rad/s]
     period: time between samples, in steps to the nearest whole number from 1 on [s]
+    """
+    return _given(locals())
+
+
+def turbine_control(*, joint=None, joints=None, initial=None, sign=None, yaw_joint=None,
+                    direction=None, brake_torque=None, brake_speed=None, period=None):
+    """What events move without a controller: control={"turbine": turbine_control(...)}.
+
+    joint: name of the pitch joint, of every blade or subsystem on the hub that has one of this name
+    joints: in place of joint: an array of names
+    initial: pitch angle θ at t = 0 [rad]
+    sign: 1 or −1: the joint's coordinate is its own motion + sign θ
+    yaw_joint: name of the joint of the support that follows the demanded rate of yaw
+    direction: sense in which the rotor turns about its axis: speeds, azimuths and torques count
+        along it
+    brake_torque: of the shaft brake that is on, on the hub's side [N m]
+    brake_speed: of the hub, from which on the brake has that torque [rad/s]
+    period: time between samples, in steps to the nearest whole number from 1 on [s]
+    """
+    return _given(locals())
+
+
+def event(*, name=None, at=None, when=None, delay=None, generator=None, brake=None,
+          brake_speed=None, controller=None, pitch=None, yaw=None):
+    """What happens once: a fault, a stop, in space.
+
+    name: as the summary and the plots call it
+    at: time at which it happens [s]
+    when: in place of at: a column of sensors.csv, > or <, and a number in its unit, as "hub.speed >
+        1.4"
+    delay: time from then to what it does, in steps, rounded up [s]
+    generator: "off": the drive has no torque from then on
+    brake: torque of a shaft brake, on the hub's side of a gearbox [N m]
+    brake_speed: from which on the brake has that torque [rad/s]
+    controller: "off": no controller moves anything from then on
+    pitch: turns blades, a table of the keys below
+    yaw: turns the yaw joint of a controller, likewise
+    """
+    return _given(locals())
+
+
+def event_pitch(*, to=None, rate=None, blades=None):
+    """How an event turns blades.
+
+    to: angle to which the demand goes [rad]
+    rate: at which it goes there [rad/s]
+    blades: numbers of blades, from 1, subsystems on hubs behind blades
+    """
+    return _given(locals())
+
+
+def event_yaw(*, to=None, rate=None):
+    """How an event turns the yaw joint.
+
+    to: angle to which the demand goes [rad]
+    rate: at which it goes there [rad/s]
     """
     return _given(locals())
 

@@ -44,6 +44,18 @@ void demand_angle(double angle, double t, double period, ControlState& state) no
   state.period = period;
 }
 
+void hold_angle(double t, double h, ControlState& state) noexcept {
+  assert(h > 0.0);
+  const space::PrescribedMotion now = follow(state, t);
+  // Of the points before the next demand, those of a spline that has this motion at t.
+  const double middle = now.value - now.acceleration * h * h / 6.0;
+  const double mean = middle + 0.5 * now.acceleration * h * h;
+  state.demands = {middle, mean - h * now.rate, middle, mean + h * now.rate};
+  state.since = t;
+  state.period = h;
+  state.held = 1.0;
+}
+
 void take_sample(const PitchControl& control, double speed, double t, double period, bool is_first,
                  ControlState& state) noexcept {
   assert(period > 0.0);

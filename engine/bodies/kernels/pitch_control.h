@@ -23,6 +23,10 @@ std::int64_t count_sample_steps(const std::optional<double>& period, double h);
 /// Demands an angle for the course from time t [s] to t + period [s].
 void demand_angle(double angle, double t, double period, ControlState& state) noexcept;
 
+/// Takes an angle from its controller at time t [s]: its course goes on from there with demands in
+/// steps of h [s], its value, rate and acceleration continuous.
+void hold_angle(double t, double h, ControlState& state) noexcept;
+
 /// Takes a sample: filters the speed [rad/s], and demands an angle for the course from time t [s]
 /// to t + period [s]. `is_first`: the filter begins with this speed.
 void take_sample(const PitchControl& control, double speed, double t, double period, bool is_first,

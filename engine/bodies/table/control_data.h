@@ -15,6 +15,7 @@ struct ControlState {
   std::array<double, 4> demands{};  ///< of the last samples, the newest one last [rad]
   double since = 0.0;               ///< time of the newest sample [s]
   double period = 1.0;              ///< time between samples [s]
+  double held = 0.0;                ///< 1: an event demands the angle, no controller does
 };
 
 }  // namespace spoke

@@ -42,6 +42,7 @@ RotorInWind::RotorInWind(const Scenario& scenario, int rotor,
   scenario_.sensors.clear();
   scenario_.space->pitch_control.reset();  // they would add their angle at the start
   scenario_.space->outer_control.reset();
+  scenario_.space->events.clear();
 }
 
 /// Returns the state at which the rotor is evaluated; the model is left there.

@@ -11,7 +11,9 @@ namespace spoke::keys {
 inline constexpr std::array kControlRows{
     by_hand("pitch", kTable, "a controller of collective pitch").from("none"),
     by_hand("library", kTable, "in its place: a library of Bladed's kind").from("none"),
-    by_hand("program", kTable, "in its place: a controller that the program gives").from("none")};
+    by_hand("program", kTable, "in its place: a controller that the program gives").from("none"),
+    by_hand("turbine", kTable, "in its place: what events move where there is no controller")
+        .from("none")};
 
 inline constexpr std::array kPitchControlRows{
     by_hand("joint", kText,
@@ -61,7 +63,7 @@ inline constexpr std::array kPitchControlRows{
         "time between samples, in steps to the nearest whole number from 1 on")
         .from("a step")};
 
-/// The keys that [control.program] and [control.library] share: what a controller may move.
+/// The keys that [control.program], [control.library] and [control.turbine] share: what moves.
 inline constexpr std::array kOuterControlRows{
     by_hand("joint", kText,
             "name of the pitch joint, of every blade or subsystem on the hub that has one of this "

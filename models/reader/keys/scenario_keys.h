@@ -33,6 +33,7 @@ inline constexpr std::array kScenarioRows{
             "in space: [control of pitch](#controlpitch-pitch-by-the-speed), [a "
             "library](#controllibrary-a-library-of-bladeds-kind), or [a controller of the "
             "program's](#controlprogram-a-controller-that-the-program-gives)"),
+    by_hand("event", kTables, "in space: [what happens once](#event-what-happens-once)"),
     by_hand("initial", kTable, "[where the simulation starts](#initial)"),
     by_hand("integration", kTable, "[how the motion is integrated](#integration), and for how long")
         .required(),

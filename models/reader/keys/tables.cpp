@@ -7,6 +7,7 @@
 #include "models/reader/keys/beam_keys.h"
 #include "models/reader/keys/blade_keys.h"
 #include "models/reader/keys/control_keys.h"
+#include "models/reader/keys/event_keys.h"
 #include "models/reader/keys/hub_keys.h"
 #include "models/reader/keys/joint_keys.h"
 #include "models/reader/keys/load_keys.h"
@@ -146,6 +147,11 @@ void add_air(std::vector<Table>& all) {
   all.push_back({"control.library.record", {{"[[control.library.record]]", kLibraryRecordRows}}});
   all.push_back({"control.program", {{"controllers", kOuterControlRows}}});
   all.push_back({"control.pitch.schedule", {{"schedules", kScheduleRows}}});
+  all.push_back({"control.turbine", {{"controllers", kOuterControlRows}}});
+  all.push_back({"event", {{"[[event]]", kEventRows}}});
+  all.push_back(
+      {"event.pitch", {{"turns of events", kEventYawRows}, {"pitch of events", kEventPitchRows}}});
+  all.push_back({"event.yaw", {{"turns of events", kEventYawRows}}});
   all.push_back({"air", {{"[air]", kAirRows}}});
   all.push_back({"wind", {{"[wind]", kWindRows}}});
   all.push_back({"wind.gust", {{"[wind.gust]", kGustRows}}});

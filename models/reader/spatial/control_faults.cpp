@@ -188,9 +188,9 @@ Fault find_fault(const OuterControl& control, const Model& model) {
   first.add(find_joints_fault(control.joints, model));
   if (const std::string fault = find_yaw_fault(control.yaw_joint, model); !fault.empty())
     first.add({"yaw_joint", fault});
-  if (model.hub.support == HubSupport::free && !model.support)
+  if (control.has_controller && model.hub.support == HubSupport::free && !model.support)
     first.add({"", "is of a hub that is free, expected one on an axle"});
-  if (prescribes_motion(model.hub.drive))
+  if (control.has_controller && prescribes_motion(model.hub.drive))
     first.add({"", "sets the torque of a drive, but hub.drive.kind is \"" +
                        std::string(name_of(model.hub.drive)) + "\", expected \"torque\""});
   if (control.gear_ratio && model.support && axle_of(model, 0).train)

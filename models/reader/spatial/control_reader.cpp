@@ -89,10 +89,11 @@ void read_library(const TomlSection& section, const std::string& folder, OuterCo
   }
 }
 
-OuterControl read_outer(const TomlSection& section, const std::string& folder, bool is_library,
-                        const Model& model) {
+OuterControl read_outer(const TomlSection& section, const std::string& folder,
+                        std::string_view table, const Model& model) {
   OuterControl control;
-  if (is_library) read_library(section, folder, control);
+  control.has_controller = table != "turbine";
+  if (table == "library") read_library(section, folder, control);
   control.joints = read_controlled_joints(section);
   keys::read(section, keys::kOuterControlRows, &control);
   control.sign = section.integer("sign", Count{-1, 1}, 1);
@@ -109,7 +110,7 @@ void read_control(const TomlSection& root, const std::string& folder, Model& mod
   const TomlSection parent = root.section("control", keys::keys_of(keys::kControlRows));
   // An empty table is none, so that an override can take a controller away.
   std::string_view first;
-  for (const std::string_view key : {"pitch", "library", "program"}) {
+  for (const std::string_view key : {"pitch", "library", "program", "turbine"}) {
     if (!parent.has(key)) continue;
     if (!first.empty())
       parent.fail(key, "given along with " + std::string(first) + ", expected only one of them");
@@ -121,10 +122,10 @@ void read_control(const TomlSection& root, const std::string& folder, Model& mod
   if (first == "library")
     model.outer_control = read_outer(
         parent.section("library", keys::keys_of(keys::kLibraryRows, keys::kOuterControlRows)),
-        folder, true, model);
-  if (first == "program")
-    model.outer_control = read_outer(
-        parent.section("program", keys::keys_of(keys::kOuterControlRows)), folder, false, model);
+        folder, first, model);
+  if (first == "program" || first == "turbine")
+    model.outer_control = read_outer(parent.section(first, keys::keys_of(keys::kOuterControlRows)),
+                                     folder, first, model);
 }
 
 }  // namespace spoke::spatial

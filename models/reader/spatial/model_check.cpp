@@ -9,6 +9,7 @@
 #include "models/reader/damping.h"
 #include "models/reader/loop_faults.h"
 #include "models/reader/spatial/coupling_faults.h"
+#include "models/reader/spatial/event_reader.h"
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/loop_ends.h"
 #include "models/reader/spatial/solid_faults.h"
@@ -147,6 +148,7 @@ void check_model(const Model& model) {
     if (model.pitch_control)
       require({table, "given along with control.pitch, expected only one of them"});
   }
+  require(find_events_fault(model));
 }
 
 }  // namespace spoke::spatial

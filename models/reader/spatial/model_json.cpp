@@ -13,6 +13,7 @@
 #include "models/reader/spatial/coupling_reader.h"
 #include "models/reader/spatial/course_json.h"
 #include "models/reader/spatial/drag_reader.h"
+#include "models/reader/spatial/event_reader.h"
 #include "models/reader/spatial/field_writer.h"
 #include "models/reader/spatial/joint_json.h"
 #include "models/reader/spatial/solid_json.h"
@@ -263,9 +264,10 @@ void add_model(const Model& model, Json& json) {
   }
   if (model.air) add_air(*model.air, json);
   if (model.outer_control)
-    json.set("control", {{model.outer_control->is_library() ? "library" : "program",
+    json.set("control", {{model.outer_control->table().substr(std::string_view("control.").size()),
                           control_to_json(*model.outer_control)}});
   if (model.pitch_control) json.set("control", {{"pitch", control_to_json(*model.pitch_control)}});
+  for (const Event& event : model.events) json.append("event", event_to_json(event));
 }
 
 }  // namespace spoke::spatial

@@ -16,6 +16,7 @@
 #include "models/reader/spatial/body_reader.h"
 #include "models/reader/spatial/control_reader.h"
 #include "models/reader/spatial/coupling_faults.h"
+#include "models/reader/spatial/event_reader.h"
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/loop_ends.h"
 #include "models/reader/spatial/solid_reader.h"
@@ -268,6 +269,7 @@ Model read_model(const TomlSection& root, const std::string& folder) {
   read_hub_loads(root, model);
   model.air = read_air(root, folder, model);
   read_control(root, folder, model);
+  model.events = read_events(root, model);
   return model;
 }
 

@@ -195,8 +195,8 @@ TEST_CASE("tables of controllers that there are not are refused") {
   check_edits(kControlText,
               {
                   {"[control.pitch]", "[control.yaw]",
-                   "f.toml:29:10: control.yaw: unknown key, expected \"pitch\", \"library\" or "
-                   "\"program\""},
+                   "f.toml:29:10: control.yaw: unknown key, expected \"pitch\", \"library\", "
+                   "\"program\" or \"turbine\""},
                   {"[control.pitch]", "[[control.pitch]]",
                    "f.toml:29:1: control.pitch: is an array of tables (1), expected a table "
                    "[control.pitch]"},

@@ -56,7 +56,7 @@ double largest_lag(const Run& run) {
 
 TEST_CASE("the data hold the curves of all plots and an animation") {
   const Run run(test_scenario());
-  const json data = json::parse(make_data(run.recorder));
+  const json data = json::parse(make_data(run.recorder, {}));
   CHECK(data["end"] == approx(2.0));
   REQUIRE(data["plots"].size() == 8);
   CHECK(data["plots"][0]["title"] == "Tip deflection across the blade");
@@ -67,6 +67,15 @@ TEST_CASE("the data hold the curves of all plots and an animation") {
   CHECK(data["scene"]["strips"].size() == 4);
   // 21 frames of an angle of 16 nodes, 2 bytes each, in base64
   CHECK(data["animation"]["rotations"].get<std::string>().size() == 896);
+}
+
+TEST_CASE("the data hold the events that have acted, in order of time") {
+  const Run run(test_scenario());
+  CHECK(!json::parse(make_data(run.recorder, {{"never", std::nullopt}})).contains("events"));
+  const json data = json::parse(
+      make_data(run.recorder, {{"late", 1.5}, {"never", std::nullopt}, {"early <1>", 0.25}}));
+  CHECK(data["events"] ==
+        json::parse(R"([{"name": "early <1>", "t": 0.25}, {"name": "late", "t": 1.5}])"));
 }
 
 TEST_CASE("a page without a moving picture does not speak of one") {
@@ -88,7 +97,7 @@ TEST_CASE("a run in space has a moving picture, and its largest tip displacement
   Scenario scenario = parse_scenario(make_text(kFlyingHub, kTree), "test");
   scenario.integration.duration = 2.0;
   const Run run(scenario);
-  const json data = json::parse(make_data(run.recorder));
+  const json data = json::parse(make_data(run.recorder, {}));
   CHECK(data["scene"]["isPlanar"] == false);
   CHECK(data["scene"]["joints"].size() == 5);
   const std::string html = run.page({0.125, "at 1 s (arm)"});

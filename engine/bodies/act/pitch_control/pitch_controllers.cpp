@@ -104,6 +104,7 @@ void PitchControllers::take_samples(std::size_t i, double h) const noexcept {
   const std::int64_t before = progress.step - 1;
   const double t = static_cast<double>(before) * h;
   for (std::size_t k = 0; k < own.controls.size(); ++k) {
+    if (own.controls[k].held != 0.0) continue;
     const PitchControl& control = *system_.subsystems[i].controls[k].law;
     const std::int64_t steps = count_sample_steps(control.period, h);
     if (before % steps == 0)
