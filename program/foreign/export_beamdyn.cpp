@@ -8,13 +8,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
-#include <numbers>
 
 #include "models/error.h"
 #include "models/reader/spatial/section_reader.h"
 #include "models/tree/space_beam.h"
 #include "program/foreign/blade_axis.h"
+#include "program/foreign/export_files.h"
 #include "program/foreign/input_lines.h"
 
 namespace spoke::foreign {
@@ -28,16 +27,6 @@ double value_at(const std::vector<double>& values, std::size_t i) {
 }
 
 double turned(double value) { return value == 0.0 ? 0.0 : -value; }
-
-/// Returns the shortest degrees that are read as this angle, of the other sign, to the last bit.
-double degrees_of(double angle) {
-  const double degrees = turned(angle) * 180.0 / std::numbers::pi;
-  const double few = std::strtod(fmt::format("{:.15g}", degrees).c_str(), nullptr);
-  for (const double candidate :
-       {few, degrees, std::nextafter(degrees, 1e9), std::nextafter(degrees, -1e9)})
-    if (-candidate * std::numbers::pi / 180.0 == angle) return candidate;
-  return degrees;
-}
 
 std::vector<KeyPoint> make_key_points(const Sections& s) {
   std::vector<KeyPoint> points;
@@ -82,7 +71,7 @@ std::string write_primary(const std::vector<KeyPoint>& points, const std::string
   text += "kp_xr  kp_yr  kp_zr  initial_twist\n(m)  (m)  (m)  (deg)\n";
   for (const KeyPoint& point : points)
     text += fmt::format("{}  {}  {}  {}\n", point.prebend, turned(point.sweep), point.x,
-                        degrees_of(point.twist));
+                        turned_degrees_of(point.twist));
   text += "---------------------- MESH PARAMETER ----------------------------------\n";
   line("10", "order_elem", "Order of interpolation (-)");
   text += "---------------------- MATERIAL PARAMETER ------------------------------\n";
@@ -213,14 +202,7 @@ void note_left_out(const Scenario& scenario, const spatial::Blade& blade,
 
 BeamDynFiles export_beamdyn(const Scenario& scenario, std::size_t blade,
                             const std::string& blade_file) {
-  const std::size_t count = scenario.space ? scenario.space->blades.size() : 0;
-  if (count == 0)
-    throw InputError(
-        "world: the scenario has no blade in space, expected one with [blade] and "
-        "world = \"space\"");
-  if (blade < 1 || blade > count)
-    throw InputError(fmt::format("--blade {}: expected a number from 1 to {}", blade, count));
-  const spatial::Blade& chosen = scenario.space->blades[blade - 1];
+  const spatial::Blade& chosen = choose_blade(scenario, blade);
   const Sections& s = chosen.beam.sections;
   if (value_at(s.sweep, 0) != 0.0 || value_at(s.prebend, 0) != 0.0)
     throw InputError(

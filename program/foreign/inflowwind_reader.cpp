@@ -104,7 +104,8 @@ void check_row(const InputLines& lines, const UniformRow& row, const UniformRow*
                  ", expected a number from 0 to 1");
 }
 
-void write_rows(const std::vector<UniformRow>& rows, const SourceFile& source, FoundWind& wind) {
+void write_wind_rows(const std::vector<UniformRow>& rows, const SourceFile& source,
+                     FoundWind& wind) {
   wind.table = "time  speed  direction  vertical_speed  shear_exponent   # s, m/s, rad, m/s; of " +
                printable(source.name) + '\n';
   for (const UniformRow& row : rows)
@@ -169,7 +170,7 @@ void read_uniform_wind(const SourceFile& source, const InflowWindFile& file, Fou
   wind.horizontal_shear = rows.front().horizontal_shear;
   wind.velocity.z() = 0.0;  // the table has what goes upwards
   wind.velocity.normalize();
-  write_rows(rows, source, wind);
+  write_wind_rows(rows, source, wind);
   if (rows.size() > 1)
     model.leave_out(Loss::theory, source.name +
                                       ": wind that is linear between rows; the scenario's goes "

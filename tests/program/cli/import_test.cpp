@@ -169,6 +169,26 @@ TEST_CASE("export writes two files that import takes") {
   CHECK(run_spoke({"import", "x.dat", "--out", "b.toml"}, folder.work).status == 0);
 }
 
+TEST_CASE("ElastoDyn's and AeroDyn's files of a scenario are written, all or none, and taken") {
+  const BladeFolder folder;
+  const std::string turbine = shipped("nrel_5mw_in_wind");
+  const Ended beam = run_spoke({"export", "elastodyn", turbine, "--out", "nrel.dat"}, folder.work);
+  CHECK(beam.status == 0);
+  CHECK(contains(beam.out, "nrel.dat, nrel_tower.dat"));
+  fs::create_directory(folder.work.path() / "air_naca64.dat");  // in the way
+  CHECK(run_spoke({"export", "aerodyn", turbine, "--out", "air.dat"}, folder.work).status == 2);
+  CHECK_FALSE(fs::exists(folder.work.path() / "air.dat"));
+  CHECK_FALSE(fs::exists(folder.work.path() / "air_du40.dat"));
+  fs::remove(folder.work.path() / "air_naca64.dat");
+  const Ended air = run_spoke({"export", "aerodyn", turbine, "--out", "air.dat"}, folder.work);
+  CHECK(air.status == 0);
+  CHECK(contains(air.out, "air.dat, air_blade.dat, air_cylinder1.dat"));
+  CHECK(run_spoke({"import", "nrel.dat", "air.dat", "--length", "61.5", "--out", "n.toml"},
+                  folder.work)
+            .status == 0);
+  CHECK(run_spoke({"check", "n.toml"}, folder.work).status == 0);
+}
+
 TEST_CASE("what cannot be imported or exported is refused before anything is written") {
   const BladeFolder folder;
   const auto refused = [&](const std::vector<std::string>& words, const std::string& message) {
