@@ -6,7 +6,6 @@
 
 #include "program/foreign/found_air.h"
 #include "program/foreign/scenario_places.h"
-#include "program/foreign/value.h"
 #include "program/foreign/toml_text.h"
 
 namespace spoke::foreign {

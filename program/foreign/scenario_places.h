@@ -1,12 +1,12 @@
 #pragma once
 
-// Where the files of an imported scenario are.
+// Where a scenario and the files that it names are.
 
 #include <string>
 
 namespace spoke::foreign {
 
-/// Places of the files of a scenario.
+/// Where the files of a scenario are.
 struct ScenarioPlaces {
   std::string folder;    ///< of the scenario; empty: that in which the program runs
   std::string airfoils;  ///< folder of the aerofoils' tables, relative to that of the scenario
