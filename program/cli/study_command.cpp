@@ -33,6 +33,7 @@ namespace {
 namespace fs = std::filesystem;
 using study::Analysis;
 using study::Journal;
+using study::LoadAnalysis;
 using study::Response;
 using study::ResponseKind;
 using study::Sampling;
@@ -54,7 +55,8 @@ struct Finished {
 /// Throws InputError if a file could not be written, while the files of an earlier study are still
 /// there, or if the runs of an unfinished one would be lost.
 void require_place(const fs::path& folder, bool resumes) {
-  require_folder(folder, {"runs.csv", "histories.csv", "study.json", "study.html", "study.h5"});
+  require_folder(folder, {"runs.csv", "histories.csv", "statistics.csv", "extremes.csv",
+                          "lifetime.csv", "by_speed.csv", "study.json", "study.html", "study.h5"});
   if (resumes) return;
   require_places(folder, {"study.journal"});
   const std::string journal = (folder / "study.journal").string();
@@ -101,8 +103,38 @@ void replace_by(const fs::path& file, const Write& write) {
   replaced.commit();
 }
 
+/// Writes a file where a study has it, and names it in `written`; otherwise removes that of an
+/// earlier study.
+template <class Write>
+void replace_if(bool has_it, const fs::path& file, std::string& written, const Write& write) {
+  if (has_it) {
+    replace_by(file, write);
+    written += ", " + file.filename().string();
+  } else {
+    std::error_code none;
+    fs::remove(file, none);
+  }
+}
+
+/// Writes the files of statistics.
+void write_loads(const Study& study, const study::ForEachRun& for_each,
+                 const std::optional<LoadAnalysis>& loads, const fs::path& folder,
+                 std::string& written) {
+  using study::Sink;
+  replace_if(loads.has_value(), folder / "statistics.csv", written,
+             [&](const Sink& sink) { study::write_statistics_csv(study, for_each, sink); });
+  replace_if(loads.has_value(), folder / "extremes.csv", written,
+             [&](const Sink& sink) { study::write_extremes_csv(study, *loads, sink); });
+  replace_if(loads && loads->has_hours, folder / "lifetime.csv", written,
+             [&](const Sink& sink) { study::write_lifetime_csv(study, *loads, sink); });
+  replace_if(loads && !loads->groups.empty(), folder / "by_speed.csv", written,
+             [&](const Sink& sink) { study::write_by_speed_csv(study, *loads, sink); });
+}
+
 std::string write_results(const Finished& all, const Analysis& analysis, const fs::path& folder) {
   const study::ForEachRun for_each = [&](const study::Visitor& visit) { all.for_each(visit); };
+  std::optional<LoadAnalysis> loads;
+  if (all.study.statistics) loads = study::analyse_loads(all.study, all.sampling, for_each);
   replace_by(folder / "runs.csv", [&](const study::Sink& sink) {
     study::write_runs_csv(all.study, all.sampling, for_each, sink);
   });
@@ -110,16 +142,12 @@ std::string write_results(const Finished& all, const Analysis& analysis, const f
   replace_file((folder / "study.json").string(),
                study::make_json(all.study, all.sampling, analysis));
   replace_file((folder / "study.html").string(),
-               study_report::make_html(all.study, all.sampling, for_each, analysis));
+               study_report::make_html(all.study, all.sampling, for_each, analysis, loads));
+  replace_if(
+      all.study.has_histories(), folder / "histories.csv", written,
+      [&](const study::Sink& sink) { study::write_histories_csv(all.study, for_each, sink); });
+  write_loads(all.study, for_each, loads, folder, written);
   std::error_code none;
-  if (all.study.has_histories()) {
-    replace_by(folder / "histories.csv", [&](const study::Sink& sink) {
-      study::write_histories_csv(all.study, for_each, sink);
-    });
-    written += ", histories.csv";
-  } else {
-    fs::remove(folder / "histories.csv", none);
-  }
   if (study::has_hdf5()) {
     study::write_hdf5((folder / "study.h5").string(), all.study, all.sampling, for_each);
     written += ", study.h5";
@@ -169,11 +197,12 @@ int help_first(const StudyArguments& own, int threads, study::Ranks& ranks) {
   const std::uint64_t announced = ranks.hear();
   if (announced == 0) return 0;
   const Interruption interruption;  // the first one ends the study in order
-  const Study study = study::read_study(own.study);
+  Study study = study::read_study(own.study);
   if (study::fingerprint(study) != announced)
     throw InputError(own.study +
                      ": is not what the first rank reads, or the processor is of another kind; "
                      "expected the same files, and --instructions baseline on different ones");
+  study::check_study(study);  // finds the sensors of statistics
   ranks.make_runs_for_first(study, Sampling(study), threads);
   return 0;
 }
@@ -247,9 +276,17 @@ int complete(PreparedStudy& prepared, bool quiet, int threads, study::Ranks& ran
   return 0;
 }
 
+/// Prints the runs of a study as a table.
+int list(const StudyArguments& own) {
+  const Study study = study::read_study(own.study);
+  study::write_table(study, Sampling(study), [](std::string_view line) { print(line); });
+  return 0;
+}
+
 }  // namespace
 
 int study(const Arguments& arguments, const StudyArguments& own) {
+  if (own.lists) return list(own);
   const int asked = arguments.options.threads.outer;
   const int threads = asked > 0 ? asked : graph::available_threads();
   study::Ranks ranks;

@@ -12,6 +12,7 @@ namespace spoke::cli {
 struct StudyArguments {
   std::string study;     ///< study file
   bool resumes = false;  ///< goes on from the journal in the folder
+  bool lists = false;    ///< prints the table of the runs, and makes none
 };
 
 /// Makes the runs of a study and writes its files. Returns the exit status. Throws InputError.

@@ -26,6 +26,9 @@ Output files, in the folder of --out:
   histories.csv   a row per run and time, if the study asks for histories
   study.json      extremes, means, main effects and Sobol indices of the responses
   study.html      the runs to look at: points, parallel coordinates, effects; needs no network
+  statistics.csv  a row per run and sensor, if the study asks for statistics; extremes.csv has the
+                  extremes with what is measured at the same time, lifetime.csv damage-equivalent
+                  loads over the hours of a lifetime, by_speed.csv statistics by wind speed
   study.h5        parameters, responses and histories as HDF5, if the program was built with it
   study.journal   the runs as they ended: what --resume goes on from, whenever the study was killed
 
@@ -56,6 +59,8 @@ void add_options(CLI::App& command, Arguments& arguments, StudyArguments& own) {
       ->type_name("N");
   command.add_flag("--resume", own.resumes,
                    "Go on with the study that was begun in the folder, if one was");
+  command.add_flag("--list", own.lists,
+                   "Print the runs as a table (CSV), which a design takes, and make none");
   cli::add_instructions(command, arguments);
   command.add_flag("--quiet", arguments.quiet, "Print nothing but warnings and errors");
   command.add_flag("-v,--verbose", arguments.verbosity, "Log to stderr; -vv logs more");

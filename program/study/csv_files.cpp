@@ -8,14 +8,16 @@
 
 #include "engine/support/csv_cell.h"
 #include "engine/support/plain_zero.h"
+#include "program/study/cells.h"
 #include "program/study/files.h"
 
 namespace spoke::study {
-namespace {
 
 std::string number_cell(double value) {
   return std::isfinite(value) ? fmt::format("{}", plain_zero(value)) : "";
 }
+
+namespace {
 
 /// Returns a number with all digits and its sign, or a text as a cell.
 std::string value_cell(const Parameter& parameter, double value) {

@@ -20,7 +20,7 @@ namespace spoke::study {
 namespace {
 
 constexpr hsize_t kBlock = 65536;  // numbers that are written together
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 /// The failure of a call of the library.
 struct Hdf5Failure {};
@@ -89,7 +89,7 @@ class Rows {
 
   void append(const std::vector<double>& row) {
     waiting_.insert(waiting_.end(), row.begin(), row.end());
-    waiting_.resize(waiting_.size() + width_ - row.size(), kNone);
+    waiting_.resize(waiting_.size() + width_ - row.size(), kNoNumber);
     if (waiting_.size() >= std::max(kBlock, width_)) flush();
   }
   void flush() {

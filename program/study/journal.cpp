@@ -21,7 +21,7 @@
 namespace spoke::study {
 namespace {
 
-constexpr std::string_view kMagic = "SPOKESTUDY1\n";
+constexpr std::string_view kMagic = "SPOKESTUDY2\n";
 // Bytes of length and checksum of a record.
 constexpr std::size_t kFrame = 8;
 constexpr std::size_t kMostBytes = std::size_t{1} << 31;  // size of a record
@@ -144,6 +144,41 @@ std::optional<Head> take_head(int descriptor, std::uint64_t& place) {
   return unpack_head(*head);
 }
 
+void pack_numbers(const std::vector<double>& numbers, ByteWriter& writer) {
+  writer.add_count(numbers.size());
+  for (const double number : numbers) writer.add_number(number);
+}
+
+std::vector<double> unpack_numbers(ByteReader& reader) {
+  std::vector<double> numbers(reader.take_count(sizeof(double)));
+  for (double& number : numbers) number = reader.take_number();
+  return numbers;
+}
+
+constexpr std::array kNumbersOfStatistics = {
+    &SensorStatistics::mean, &SensorStatistics::deviation, &SensorStatistics::min,
+    &SensorStatistics::max,  &SensorStatistics::min_time,  &SensorStatistics::max_time};
+constexpr std::array kListsOfStatistics = {&SensorStatistics::ranges, &SensorStatistics::at_min,
+                                           &SensorStatistics::at_max};
+
+void pack_statistics(const std::vector<SensorStatistics>& all, ByteWriter& writer) {
+  writer.add_count(all.size());
+  for (const SensorStatistics& one : all) {
+    for (const auto number : kNumbersOfStatistics) writer.add_number(one.*number);
+    for (const auto list : kListsOfStatistics) pack_numbers(one.*list, writer);
+  }
+}
+
+std::vector<SensorStatistics> unpack_statistics(ByteReader& reader) {
+  constexpr std::size_t kLeast = sizeof(double) * kNumbersOfStatistics.size();
+  std::vector<SensorStatistics> all(reader.take_count(kLeast));
+  for (SensorStatistics& one : all) {
+    for (const auto number : kNumbersOfStatistics) one.*number = reader.take_number();
+    for (const auto list : kListsOfStatistics) one.*list = unpack_numbers(reader);
+  }
+  return all;
+}
+
 }  // namespace
 
 std::uint64_t fingerprint(const Study& study) { return hash_of(pack(head_of(study))) | 1U; }
@@ -161,6 +196,7 @@ std::string pack(const RunResult& result) {
     for (const double t : history.times) writer.add_number(t);
     for (const double value : history.values) writer.add_number(value);
   }
+  pack_statistics(result.statistics, writer);
   return writer.bytes();
 }
 
@@ -179,6 +215,7 @@ RunResult unpack(std::string_view bytes, const std::string& name) {
     for (double& t : history.times) t = reader.take_number();
     for (double& value : history.values) value = reader.take_number();
   }
+  result.statistics = unpack_statistics(reader);
   if (!reader.is_done() || result.status > RunStatus::refused)
     throw InputError(name + ": is damaged, expected the result of a run");
   return result;
@@ -232,7 +269,7 @@ void Journal::append(const RunResult& result) {
   const std::string content = pack(result);
   if (content.size() > kMostBytes)
     throw InputError(file_ + ": run " + std::to_string(result.run + 1) +
-                     " has histories of more than 2 GB, expected fewer values");
+                     " has histories or statistics of more than 2 GB, expected fewer values");
   const std::uint64_t place = output_->size();
   output_->append(framed(content));
   places_[static_cast<std::size_t>(result.run)] = place;

@@ -42,7 +42,7 @@ Json json_of(const Parameter& parameter) {
 Json json_of(const Design& design) {
   Json json = {{"kind", name_of(design.kind)}, {"runs", design.runs}};
   if (design.kind == DesignKind::saltelli) json.set("points", design.points);
-  if (design.kind == DesignKind::table) json.set("file", design.table);
+  if (!design.table.empty()) json.set("file", design.table);
   if (design.kind != DesignKind::grid && design.kind != DesignKind::table)
     json.set("seed", design.seed);
   if (design.kind == DesignKind::sobol || design.kind == DesignKind::saltelli)

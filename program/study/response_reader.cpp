@@ -104,7 +104,7 @@ Response read_response(const TomlSection& section) {
 
 }  // namespace
 
-std::vector<Response> read_responses(const TomlSection& root) {
+std::vector<Response> read_responses(const TomlSection& root, bool is_required) {
   std::vector<Response> responses;
   std::size_t bytes = 0;  // of all names
   for (const TomlSection& section :
@@ -128,7 +128,8 @@ std::vector<Response> read_responses(const TomlSection& root) {
                               "\" as another response is, expected a \"name\" of its own");
     responses.push_back(std::move(response));
   }
-  if (responses.empty()) root.fail("response", "is missing, expected tables headed [[response]]");
+  if (responses.empty() && is_required)
+    root.fail("response", "is missing, expected tables headed [[response]]");
   return responses;
 }
 

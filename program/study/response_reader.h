@@ -9,7 +9,8 @@
 
 namespace spoke::study {
 
-/// Reads one response or more; whether their sensors exist is checked later. Throws InputError.
-std::vector<Response> read_responses(const TomlSection& root);
+/// Reads responses, one or more where they are required; whether their sensors exist is checked
+/// later. Throws InputError.
+std::vector<Response> read_responses(const TomlSection& root, bool is_required);
 
 }  // namespace spoke::study

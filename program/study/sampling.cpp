@@ -122,7 +122,12 @@ double Sampling::saltelli_coordinate(std::int64_t run, std::size_t dimension) co
                           dimension + (is_of_b ? static_cast<std::size_t>(count) : 0));
 }
 
+bool is_left_out(const Parameter& parameter, double value) {
+  return parameter.kind == ParameterKind::column && std::isnan(value);
+}
+
 std::string toml_text(const Parameter& parameter, double value) {
+  assert(!is_left_out(parameter, value));
   if (parameter.is_choice()) return parameter.levels[static_cast<std::size_t>(value)].text;
   constexpr double kWhole = 9007199254740992.0;  // 2^53
   std::array<char, 32> buffer;
@@ -135,6 +140,7 @@ std::string toml_text(const Parameter& parameter, double value) {
 }
 
 std::string plain_text(const Parameter& parameter, double value) {
+  if (is_left_out(parameter, value)) return {};
   std::string text = toml_text(parameter, value);
   if (!text.starts_with('"')) return text;
   std::string plain;
@@ -149,7 +155,7 @@ Overrides make_overrides(const Study& study, const std::vector<double>& values) 
   Overrides overrides;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Parameter& parameter = study.parameters[i];
-    if (!parameter.key.empty())
+    if (!parameter.key.empty() && !is_left_out(parameter, values[i]))
       overrides.push_back(parameter.key + '=' + toml_text(parameter, values[i]));
   }
   return overrides;

@@ -39,9 +39,13 @@ class Sampling {
   std::optional<SobolSequence> sobol_;
 };
 
+/// Whether a value of a parameter is an empty cell of a table: the scenario's own value.
+bool is_left_out(const Parameter& parameter, double value);
 /// Returns a value of a parameter as TOML writes it, whole numbers without a point.
+/// Precondition: it is not left out.
 std::string toml_text(const Parameter& parameter, double value);
-/// Returns a value of a parameter as cells and tables show it: texts without quotes.
+/// Returns a value of a parameter as cells and tables show it: texts without quotes, and
+/// nothing for one that is left out.
 std::string plain_text(const Parameter& parameter, double value);
 
 /// Returns the values of parameters with a key as "key=value" of the command line.

@@ -35,7 +35,7 @@ SimulationOptions on_one_thread() {
 
 Scenario make_scenario(const Study& study, const std::vector<double>& values) {
   for (std::size_t i = 0; i < values.size(); ++i)
-    if (!std::isfinite(values[i]))
+    if (!std::isfinite(values[i]) && !is_left_out(study.parameters[i], values[i]))
       throw InputError("--set " + study.parameters[i].key + "=: is " +
                        toml_text(study.parameters[i], values[i]) + ", expected a finite number");
   return parse_scenario(study.scenario_text, study.scenario_file, make_overrides(study, values));
@@ -43,9 +43,17 @@ Scenario make_scenario(const Study& study, const std::vector<double>& values) {
 
 /// Whether a response needs the sensors at each step; otherwise steps are made without them.
 bool needs_steps(const Study& study) {
-  return std::any_of(study.responses.begin(), study.responses.end(), [](const Response& r) {
-    return r.kind != ResponseKind::frequency && r.kind != ResponseKind::final;
-  });
+  return study.statistics ||
+         std::any_of(study.responses.begin(), study.responses.end(), [](const Response& r) {
+           return r.kind != ResponseKind::frequency && r.kind != ResponseKind::final;
+         });
+}
+
+/// Returns the places of the sensors of a study's statistics. Throws InputError if one is missing.
+std::vector<std::size_t> places_of(const StatisticsPlan& plan, const Simulation& simulation) {
+  std::vector<std::size_t> places;
+  for (const std::string& sensor : plan.sensors) places.push_back(simulation.sensor_index(sensor));
+  return places;
 }
 
 /// The measurements of a study's responses of sensors.
@@ -58,14 +66,18 @@ struct Measurements {
       sensors.push_back(simulation.sensor_index(response.sensor));
       measured.emplace_back(response, simulation.scenario().output.interval);
     }
+    if (study.statistics)
+      collector.emplace(*study.statistics, places_of(*study.statistics, simulation));
   }
 
   void add(double t, std::span<const double> values) {
     for (std::size_t i = 0; i < measured.size(); ++i) measured[i].add(t, values[sensors[i]]);
+    if (collector) collector->add(t, values);
   }
 
   std::vector<std::size_t> places, sensors;  ///< places among responses, and of sensors
   std::vector<Measurement> measured;
+  std::optional<SensorCollector> collector;  ///< of the study's statistics
 };
 
 void describe_warnings(const Simulation& simulation, RunResult& result) {
@@ -92,6 +104,7 @@ void simulate(const Study& study, Simulation& simulation, RunResult& result) {
     if (study.responses[k].kind == ResponseKind::history)
       result.histories.push_back(measurements.measured[i].take_history());
   }
+  if (measurements.collector) result.statistics = measurements.collector->result();
   describe_warnings(simulation, result);
 }
 
@@ -182,7 +195,37 @@ InputError locate(const Study& study, std::int64_t run, const std::string& messa
   return InputError(study.scenario_file + ": " + message);
 }
 
+/// Whether a name is one that statistics ask for: it, or its beginning with "*" behind.
+bool is_asked(const std::string& name, const std::string& asked) {
+  return asked.ends_with('*') ? name.starts_with(asked.substr(0, asked.size() - 1)) : name == asked;
+}
+
+/// Fills in the sensors that a study's statistics ask for, in the order of the simulation's.
+void choose_sensors(const Simulation& simulation, StatisticsPlan& plan) {
+  const std::vector<std::string>& known = simulation.sensor_names();
+  plan.sensors.clear();
+  plan.units.clear();
+  for (const std::string& asked : plan.asked)
+    if (std::none_of(known.begin(), known.end(),
+                     [&](const std::string& name) { return is_asked(name, asked); }))
+      throw InputError(plan.place + ": \"" + asked + "\" is no sensor, expected one such as \"" +
+                       known.front() + "\", or the beginning of some with \"*\" behind");
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (!plan.asked.empty() &&
+        std::none_of(plan.asked.begin(), plan.asked.end(),
+                     [&](const std::string& asked) { return is_asked(known[i], asked); }))
+      continue;
+    plan.sensors.push_back(known[i]);
+    plan.units.push_back(simulation.sensor_units()[i]);
+  }
+  const double end = simulation.scenario().integration.duration;
+  if (plan.from >= end)
+    throw InputError(plan.place + ": statistics begin at " + describe(plan.from) +
+                     " s, expected a time before the end, " + describe(end) + " s");
+}
+
 void check_sensors(const Simulation& simulation, Study& study) {
+  if (study.statistics) choose_sensors(simulation, *study.statistics);
   const std::vector<std::string>& known = simulation.sensor_names();
   for (Response& response : study.responses) {
     if (response.kind == ResponseKind::frequency) continue;
@@ -306,6 +349,7 @@ RunResult RunMaker::make(std::int64_t run) {
   }
   result.responses.assign(study_.responses.size(), kNone);
   result.histories.clear();
+  result.statistics.clear();
   return result;
 }
 

@@ -10,6 +10,7 @@
 
 #include "program/study/measurement.h"
 #include "program/study/sampling.h"
+#include "program/study/sensor_statistics.h"
 #include "program/study/study.h"
 
 namespace spoke {
@@ -37,6 +38,7 @@ struct RunResult {
   std::string diagnosis;           ///< reason of divergence or refusal, or the warnings
   std::vector<double> responses;   ///< values by response; not a number: none, or a history
   std::vector<History> histories;  ///< histories, in the order of the responses that are histories
+  std::vector<SensorStatistics> statistics;  ///< by sensor of the study's statistics; or none
 
   bool has_responses() const { return status <= RunStatus::doubtful; }
 };

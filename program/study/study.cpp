@@ -8,8 +8,9 @@
 namespace spoke::study {
 
 bool Study::simulates() const {
-  return std::any_of(responses.begin(), responses.end(),
-                     [](const Response& r) { return r.kind != ResponseKind::frequency; });
+  return statistics || std::any_of(responses.begin(), responses.end(), [](const Response& r) {
+           return r.kind != ResponseKind::frequency;
+         });
 }
 
 bool Study::has_histories() const {

@@ -38,7 +38,9 @@ enum class ParameterKind {
   normal,       ///< normal with mean `low` and deviation `high`
   log_uniform,  ///< uniform in the logarithm, from low to high
   expression,   ///< an expression of other parameters
-  column,       ///< a column of the design's table; `levels` holds texts if there are any
+  /// A column of the design's table; `levels` holds texts if there are any. An empty cell, not a
+  /// number, leaves the scenario's own value.
+  column,
 };
 
 /// A parameter of a study.
@@ -102,6 +104,18 @@ struct Response {
   std::string place;  ///< place in the study file, for messages
 };
 
+/// The statistics of sensors that a study keeps of each run.
+struct StatisticsPlan {
+  /// Names of sensors, or their beginnings with "*" behind; none: all sensors.
+  std::vector<std::string> asked;
+  std::vector<double> exponents;  ///< of Woehler's curves
+  double from = 0.0;              ///< time from which steps count [s]
+  double cycles = 1e7;            ///< that lifetime loads are equivalent to
+  std::string place;              ///< place in the study file, for messages
+  // Filled in by check_study().
+  std::vector<std::string> sensors, units;
+};
+
 /// The content of a study file.
 struct Study {
   std::string file;
@@ -114,6 +128,7 @@ struct Study {
   std::string table_text;  ///< text of the design's table
   std::vector<Parameter> parameters;
   std::vector<Response> responses;
+  std::optional<StatisticsPlan> statistics;
 
   /// Returns whether runs step through time, or only vibration modes are asked for.
   bool simulates() const;
@@ -124,6 +139,10 @@ struct Study {
 /// The most bytes of the names of all parameters, or of all responses, with a line end each, and of
 /// a title: an attribute of HDF5 holds 64 kB.
 inline constexpr std::size_t kMostNameBytes = 60'000;
+// Columns of tables that are no keys of scenarios: the name of a load case, its partial safety
+// factor, and the hours of a lifetime that a run stands for.
+inline constexpr std::string_view kLoadCase = "load_case", kPartialFactor = "partial_factor",
+                                  kHours = "hours";
 /// Returns whether a text may head a column: it has no comma, quote or control character, and is
 /// not empty.
 bool is_column_name(std::string_view text);

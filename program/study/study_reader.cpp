@@ -3,14 +3,18 @@
 #include "program/study/study_reader.h"
 
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <limits>
+#include <optional>
 
 #include "models/count_text.h"
 #include "models/error.h"
 #include "models/text_file.h"
+#include "program/study/load_cases.h"
 #include "program/study/parameter_reader.h"
 #include "program/study/response_reader.h"
+#include "program/study/sampling.h"
 #include "program/study/sobol_sequence.h"
 #include "program/study/table_reader.h"
 
@@ -72,6 +76,70 @@ Design read_design(const TomlSection& root, const std::string& file) {
   return design;
 }
 
+/// Reads the statistics that are kept of each run; those of load cases begin where runs count.
+std::optional<StatisticsPlan> read_statistics(const TomlSection& root,
+                                              const std::optional<LoadCases>& cases) {
+  if (!root.has("statistics") && !cases) return {};
+  const TomlSection section =
+      root.section("statistics", {"sensors", "exponents", "from", "cycles"});
+  constexpr std::size_t kMostExponents = 20;
+  StatisticsPlan plan;
+  plan.place = section.place(section.has("sensors") ? "sensors" : "");
+  if (section.has("sensors"))
+    for (const TomlValue& value : section.values("sensors")) {
+      const auto* text = value.as_text();
+      if (text == nullptr || text->empty())
+        section.fail_at("sensors." + std::to_string(plan.asked.size() + 1),
+                        "is " + describe(value) +
+                            ", expected a text, the name of a sensor or its beginning with \"*\"");
+      plan.asked.push_back(*text);
+    }
+  plan.exponents = {4.0, 10.0};
+  if (section.has("exponents"))
+    plan.exponents = section.increasing_numbers("exponents", Quantity{"", 1.0, 50.0});
+  if (plan.exponents.size() > kMostExponents)
+    section.fail("exponents", "has " + counted(std::ssize(plan.exponents), "number") +
+                                  ", expected at most " + std::to_string(kMostExponents));
+  plan.from = section.number("from", Quantity::not_negative("s"), cases ? cases->settle : 0.0);
+  plan.cycles = section.number("cycles", Quantity::positive(""), 1e7);
+  return plan;
+}
+
+/// Checks what a table says about runs: partial factors are positive, hours not negative.
+void check_columns(const std::vector<Parameter>& parameters) {
+  for (const Parameter& parameter : parameters) {
+    if (parameter.name != kPartialFactor && parameter.name != kHours) continue;
+    if (!parameter.key.empty() || parameter.kind != ParameterKind::column) continue;
+    const bool is_factor = parameter.name == kPartialFactor;
+    for (std::size_t run = 0; run < parameter.column.size(); ++run) {
+      const double value = parameter.column[run];
+      const bool is_good =
+          std::isnan(value) || (!parameter.is_choice() && (is_factor ? value > 0.0 : value >= 0.0));
+      if (!is_good)
+        throw InputError(parameter.place + ": " + parameter.name + ": is " +
+                         plain_text(parameter, value) + " in run " + std::to_string(run + 1) +
+                         ", expected a number " + (is_factor ? "above 0" : "from 0 on"));
+    }
+  }
+}
+
+/// Reads the rows of a table as parameters: of the design's file, or of load cases.
+void read_rows(const TomlSection& root, const std::optional<LoadCases>& cases, Study& study) {
+  if (cases) {
+    study.table_text = cases->table;
+    study.parameters = read_table(study.table_text, study.file);
+    const std::string place = root.place("load_cases");
+    for (Parameter& parameter : study.parameters) parameter.place = place + '.' + parameter.name;
+  } else {
+    study.table_text = read_text(study.design.table, "a table (CSV)");
+    study.parameters = read_table(study.table_text, study.design.table);
+  }
+  check_columns(study.parameters);
+  if (std::ssize(study.parameters.front().column) > kMostRuns)
+    root.fail(cases ? "load_cases" : "design",
+              "has more rows, expected at most " + std::to_string(kMostRuns) + " runs");
+}
+
 std::int64_t count_sampled(const std::vector<Parameter>& parameters) {
   std::int64_t count = 0;
   for (const Parameter& parameter : parameters)
@@ -121,7 +189,8 @@ Study read_study(const std::string& file) {
   study.text = read_text(file, "a study file (TOML)");
   study.name = fs::path(file).stem().string();
   const TomlDocument document(study.text, file);
-  const TomlSection root(document, {"title", "scenario", "design", "parameter", "response"});
+  const TomlSection root(document, {"title", "scenario", "design", "load_cases", "parameter",
+                                    "response", "statistics"});
   study.title = root.text("title", study.name);
   if (study.title.size() > kMostNameBytes)
     root.fail("title", "is " + std::to_string(study.title.size()) +
@@ -129,18 +198,22 @@ Study read_study(const std::string& file) {
   const std::string scenario = root.text("scenario", "");
   if (scenario.empty())
     root.fail("scenario", "is missing, expected the name of a scenario file (TOML)");
-  study.design = read_design(root, file);
+  std::optional<LoadCases> cases;
+  if (root.has("load_cases")) {
+    if (root.has("design"))
+      root.fail("design", "stands beside load_cases, which are a design, expected one of the two");
+    cases = read_load_cases(root);
+    study.design.kind = DesignKind::table;
+  } else {
+    study.design = read_design(root, file);
+  }
   study.scenario_file = beside(file, scenario);
   study.scenario_text = read_text(study.scenario_file);
-  if (study.design.kind == DesignKind::table) {
-    study.table_text = read_text(study.design.table, "a table (CSV)");
-    study.parameters = read_table(study.table_text, study.design.table);
-    if (std::ssize(study.parameters.front().column) > kMostRuns)
-      fail_too_many(root, "has more rows");
-  }
+  if (study.design.kind == DesignKind::table) read_rows(root, cases, study);
   read_parameters(root, study.design.kind, study.parameters);
   count_runs(root, study);
-  study.responses = read_responses(root);
+  study.statistics = read_statistics(root, cases);
+  study.responses = read_responses(root, !study.statistics);
   return study;
 }
 

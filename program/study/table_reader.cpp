@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <deque>
+#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -87,18 +89,26 @@ double find_level(const std::string& text, std::vector<Level>& levels) {
   return levels.back().number;
 }
 
-void add_cell(const Cell& cell, const std::string& where, Parameter& parameter) {
+/// Adds a cell to a column, `is_first` if those before it are empty, as it then remains.
+void add_cell(const Cell& cell, const std::string& where, Parameter& parameter, bool& is_first) {
+  if (cell.text.empty()) {
+    parameter.column.push_back(std::numeric_limits<double>::quiet_NaN());
+    return;
+  }
   const std::optional<double> number = number_of(cell.text);
-  const bool is_first = parameter.column.empty();
-  if (cell.text.empty())
-    throw InputError(where + ": " + parameter.key + ": is empty, expected a value");
   if (number && !std::isfinite(*number))
-    throw InputError(where + ": " + parameter.key + ": is " + cell.text +
+    throw InputError(where + ": " + parameter.name + ": is " + cell.text +
                      ", expected a finite number");
   if (!is_first && number.has_value() == parameter.is_choice())
-    throw InputError(where + ": " + parameter.key + ": is \"" + cell.text + "\", expected a " +
+    throw InputError(where + ": " + parameter.name + ": is \"" + cell.text + "\", expected a " +
                      (number ? "text" : "number") + ", as in the rows before");
   parameter.column.push_back(number ? *number : find_level(cell.text, parameter.levels));
+  is_first = false;
+}
+
+/// Whether a head is of a column that says something about runs, and sets no key.
+bool is_about_runs(const std::string& head) {
+  return head == kLoadCase || head == kPartialFactor || head == kHours;
 }
 
 std::vector<Parameter> read_head(const std::vector<Cell>& cells, const std::string& file,
@@ -109,11 +119,12 @@ std::vector<Parameter> read_head(const std::vector<Cell>& cells, const std::stri
     if (cell.text.empty())
       throw InputError(where + ": a column has no head, expected a key of the scenario");
     for (const Parameter& other : parameters)
-      if (other.key == cell.text)
+      if (other.name == cell.text)
         throw InputError(where + ": is \"" + cell.text +
                          "\" a second time, expected different heads");
     Parameter parameter;
-    parameter.key = parameter.name = cell.text;
+    parameter.name = cell.text;
+    if (!is_about_runs(cell.text)) parameter.key = cell.text;
     parameter.kind = ParameterKind::column;
     parameter.place = where;
     parameters.push_back(std::move(parameter));
@@ -125,6 +136,7 @@ std::vector<Parameter> read_head(const std::vector<Cell>& cells, const std::stri
 
 std::vector<Parameter> read_table(const std::string& text, const std::string& file) {
   std::vector<Parameter> parameters;
+  std::deque<bool> are_first;
   std::size_t number = 0;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
@@ -136,13 +148,14 @@ std::vector<Parameter> read_table(const std::string& text, const std::string& fi
     const std::vector<Cell> cells = split(line, file, number);
     if (parameters.empty()) {
       parameters = read_head(cells, file, number);
+      are_first.assign(parameters.size(), true);
       continue;
     }
     if (cells.size() != parameters.size())
       throw InputError(place(file, number, 1) + ": has " + counted(std::ssize(cells), "cell") +
                        ", expected " + std::to_string(parameters.size()) + " as in the head");
     for (std::size_t k = 0; k < cells.size(); ++k)
-      add_cell(cells[k], place(file, number, cells[k].column), parameters[k]);
+      add_cell(cells[k], place(file, number, cells[k].column), parameters[k], are_first[k]);
   }
   if (parameters.empty() || parameters.front().column.empty())
     throw InputError(file + ": has no rows, expected a line of keys and lines of values");

@@ -10,6 +10,7 @@
 #include "program/report/page.h"
 #include "program/report/study_script.h"
 #include "program/study/files.h"
+#include "program/study_report/load_part.h"
 #include "program/study_report/run_data.h"
 
 namespace spoke::study_report {
@@ -184,7 +185,7 @@ void add_commands(const Study& study, const Sampling& sampling, const Analysis& 
     add("least", s.run_of_min);
     add("greatest", s.run_of_max);
   }
-  page.add_table(ends);
+  if (!study.responses.empty()) page.add_table(ends);
   if (analysis.failed.empty()) return;
   report::Table failed{
       .caption = "Runs without result" +
@@ -202,7 +203,8 @@ void add_commands(const Study& study, const Sampling& sampling, const Analysis& 
 }  // namespace
 
 std::string make_html(const Study& study, const Sampling& sampling,
-                      const study::ForEachRun& for_each, const Analysis& analysis) {
+                      const study::ForEachRun& for_each, const Analysis& analysis,
+                      const std::optional<study::LoadAnalysis>& loads) {
   report::Page page(study.title, fmt::format("{} of {}, {}", counted(study.design.runs, "run"),
                                              study.scenario_file, name_of(study.design.kind)));
   page.widen();
@@ -211,9 +213,11 @@ std::string make_html(const Study& study, const Sampling& sampling,
   if (const std::int64_t stride = drawn_stride(study); stride > 1)
     page.add_paragraph(fmt::format("Drawn is every {}th run; all are in runs.csv.", stride));
   page.add_markup(kMarkup);
-  page.add_table(make_response_table(study, analysis));
+  if (!study.responses.empty()) page.add_table(make_response_table(study, analysis));
+  if (loads) add_loads(study, *loads, page);
   add_effects(study, sampling, analysis, page);
-  add_commands(study, sampling, analysis, page);
+  if (!study.responses.empty() || !analysis.failed.empty())
+    add_commands(study, sampling, analysis, page);
   page.add_data("study-data", make_run_data(study, sampling, for_each));
   page.add_script(report::study_script());
   return page.html();

@@ -92,6 +92,7 @@ void check_study_kills(int kills) {
   const StudyFolder folder;
   std::string text = kSmallStudy;
   text.replace(text.find("[2, 4, 6]"), 9, "[2, 4, 80]");
+  text += "\n[statistics]\nsensors = [\"blade1.*\"]\n";
   folder.write_study(text);
   const auto start = std::chrono::steady_clock::now();
   const Left whole = folder.run({"--out", "whole", "--threads", "2"});

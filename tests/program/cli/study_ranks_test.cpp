@@ -11,7 +11,7 @@
 
 TEST_CASE("a study on 2 to 4 ranks leaves the bytes of one process") {
   const StudyFolder folder;
-  folder.write_study(kSmallStudy);
+  folder.write_study(std::string(kSmallStudy) + "\n[statistics]\n");
   const Left whole = folder.run({"--out", "whole"});
   for (const int ranks : {2, 4}) {
     const Ended ended = run_spoke(kStudyOnRanks, folder.work(), mpirun(ranks));
