@@ -15,11 +15,11 @@ namespace spoke::study {
 struct Extreme {
   std::size_t sensor = 0;
   bool is_max = false;
-  std::int64_t run = -1;  ///< -1: no run counts
+  std::int64_t run = -1;    ///< -1: no run counts
   std::string load_case{};  ///< of the run; empty: runs have none
-  double time = 0.0;      ///< [s]
+  double time = 0.0;        ///< [s]
   double value = 0.0;
-  double factor = 1.0;               ///< partial safety factor
+  double factor = 1.0;                 ///< partial safety factor
   std::vector<double> simultaneous{};  ///< values of all sensors at that time, without factor
 
   double design_value() const { return factor * value; }
