@@ -4,11 +4,13 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -131,6 +133,51 @@ std::string make_csv(const PerformanceResult& result) {
       text += p.gap.empty() ? fmt::format(",{}", plain_zero(value)) : std::string(",");
     text += ',' + csv_cell(p.gap) + '\n';
   }
+  return text;
+}
+
+std::string make_coefficient_tables(const PerformanceResult& result, int sign) {
+  const std::vector<PerformancePoint>& points = result.points;
+  const auto has_gap = [](const PerformancePoint& p) { return !p.gap.empty(); };
+  if (!result.is_map || points.empty() || std::any_of(points.begin(), points.end(), has_gap))
+    return {};
+  std::size_t columns = 1;  // pitch angles
+  while (columns < points.size() &&
+         points[columns].tip_speed_ratio == points.front().tip_speed_ratio)
+    ++columns;
+  // Columns ascend towards feather.
+  const auto place = [&](std::size_t row, std::size_t column) {
+    return row * columns + (sign > 0 ? column : columns - 1 - column);
+  };
+  const std::size_t rows = points.size() / columns;
+  // ROSCO skips lines by their number, and its toolbox finds them by their words.
+  std::string text = "# Tables of a rotor's coefficients\n# Written by Spoke\n\n";
+  const auto add_head = [&](const char* what, std::size_t count, const char* axis) {
+    text += fmt::format("# {} vector, {} entries - {}\n", what, count, axis);
+  };
+  add_head("Pitch angle", columns, "x axis (matrix columns) (deg)");
+  for (std::size_t k = 0; k < columns; ++k)
+    text += fmt::format(" {:.10g}",
+                        plain_zero(sign * points[place(0, k)].pitch * 180.0 / std::numbers::pi));
+  text += '\n';
+  add_head("TSR", rows, "y axis (matrix rows) (-)");
+  for (std::size_t k = 0; k < points.size(); k += columns)
+    text += fmt::format(" {:.10g}", points[k].tip_speed_ratio);
+  text += fmt::format("\n# Wind speed vector - z axis (m/s)\n {:.10g}\n", points.front().wind);
+  const auto add_table = [&](const char* title, const auto& coefficient) {
+    text += fmt::format("\n# {} coefficient\n\n", title);
+    for (std::size_t row = 0; row < rows; ++row) {
+      for (std::size_t column = 0; column < columns; ++column)
+        text += fmt::format(" {:13.6e}", plain_zero(coefficient(points[place(row, column)])));
+      text += '\n';
+    }
+  };
+  add_table("Power", [](const PerformancePoint& p) { return p.power_coefficient; });
+  text += '\n';
+  add_table("Thrust", [](const PerformancePoint& p) { return p.thrust_coefficient; });
+  text += '\n';
+  add_table("Torque",
+            [](const PerformancePoint& p) { return p.power_coefficient / p.tip_speed_ratio; });
   return text;
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,33 @@ constexpr bool kHasYaml = true;
 #else
 constexpr bool kHasYaml = false;
 #endif
+
+/// Checks that the tables of a map, read as ROSCO's controller reads them, by the number of lines,
+/// have the coefficients of performance.csv.
+void check_tables(const fs::path& results) {
+  const std::vector<std::string> lines = lines_of(file_text(results / "Cp_Ct_Cq.txt"));
+  const std::vector<std::string> points = lines_of(file_text(results / "performance.csv"));
+  const auto numbers_in = [](const std::string& line) {
+    std::istringstream stream(line);
+    return std::vector<double>(std::istream_iterator<double>(stream), {});
+  };
+  REQUIRE(lines.size() == 12 + 3 * 3 + 2 * 4);
+  CHECK(numbers_in(lines[4]) == std::vector<double>{0.0, 2.0});
+  CHECK(numbers_in(lines[6]) == std::vector<double>{6.0, 7.0, 8.0});
+  CHECK(numbers_in(lines[8]) == std::vector<double>{8.0});
+  for (std::size_t k = 0; k < 6; ++k) {
+    std::vector<double> cells;
+    std::istringstream stream(points.at(k + 1));
+    for (std::string cell; cells.size() < 9 && std::getline(stream, cell, ',');)
+      cells.push_back(std::stod(cell));
+    const auto in_table = [&](std::size_t table) {
+      return numbers_in(lines.at(12 + 7 * table + k / 2)).at(k % 2);
+    };
+    CHECK(in_table(0) == doctest::Approx(cells.at(7)).epsilon(1e-6));
+    CHECK(in_table(1) == doctest::Approx(cells.at(8)).epsilon(1e-6));
+    CHECK(in_table(2) == doctest::Approx(cells.at(7) / cells.at(2)).epsilon(1e-6));
+  }
+}
 
 }  // namespace
 
@@ -95,7 +123,13 @@ TEST_CASE("aerodynamics come with a folder of tables, all of them or none") {
                   folder.work)
             .status == 0);
   CHECK(run_spoke({"performance", "t.toml", "--wind", "8", "--pitch", "0:2:2", "--tip-speed-ratio",
-                   "7.7:12.7:5", "--rigid", "--out", "p"},
+                   "6:8:1", "--rigid", "--out", "p"},
+                  folder.work)
+            .status == 0);
+  check_tables(folder.work.path() / "p");
+  // A step that is all of the way but for the rounding of decimals.
+  CHECK(run_spoke({"performance", "t.toml", "--wind", "8", "--pitch", "0", "--tip-speed-ratio",
+                   "7.7:12.7:5", "--rigid", "--out", "q"},
                   folder.work)
             .status == 0);
 }
