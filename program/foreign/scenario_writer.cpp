@@ -68,7 +68,8 @@ void write_blade(const FoundModel& model, Toml& toml) {
   toml.key("count", digits(model.blade_count.number),
            model.blade_count.from.empty() ? "the files are of one blade" : model.blade_count.from);
   toml.key("length", digits(blade.length.number), blade.length.from);
-  toml.key("bodies", "10", "not in the files");
+  // Blades of turbines are cut as those of the shipped one; single ones finer, for their modes.
+  toml.key("bodies", model.tower ? "4" : "10", "not in the files");
   toml.key("elements", "4", "not in the files");
   if (model.precone.number != 0.0)
     toml.key("precone", digits(model.precone.number),
