@@ -156,6 +156,7 @@ docs/aerodynamics.md.
 
 Output files, in the folder of --out:
   performance.html  the curves
+  Cp_Ct_Cq.txt      of a map: tables of coefficients, as the controller ROSCO reads them
   performance.csv   a row per operating point
   performance.json  the same
 
