@@ -96,7 +96,7 @@ TEST_CASE("the bytes begin as documented") {
   SavedState state{std::make_shared<const std::string>("{}"), 0.5, 258, 3, 0.0, 0.0, {1.0}};
   const std::string bytes = make_checkpoint(state);
   CHECK(bytes.substr(0, 8) == "SPOKECKP");
-  CHECK(bytes.substr(8, 4) == std::string("\10\0\0\0", 4));
+  CHECK(bytes.substr(8, 4) == std::string("\11\0\0\0", 4));
   CHECK(static_cast<unsigned char>(bytes[12]) == bytes.size() - 24);
   const std::size_t program = 20 + 8 + std::string(SPOKE_VERSION).size();
   const std::string instructions(instructions_in_use());
@@ -106,7 +106,7 @@ TEST_CASE("the bytes begin as documented") {
   CHECK(bytes.substr(state_at, 10) == std::string("\2\0\0\0\0\0\0\0{}", 10));
   CHECK(bytes.substr(state_at + 10, 8) == std::string("\0\0\0\0\0\0\xE0\x3F", 8));
   CHECK(bytes.substr(state_at + 18, 8) == std::string("\2\1\0\0\0\0\0\0", 8));
-  CHECK(with_format(bytes, 8) == bytes);
+  CHECK(with_format(bytes, 9) == bytes);
 }
 
 TEST_CASE("every truncation of a checkpoint is refused as such") {
@@ -138,7 +138,7 @@ TEST_CASE("foreign files and newer formats are refused as such") {
   CHECK(message_of([] { load_checkpoint("/dev/zero"); }) ==  // which has no end
         "/dev/zero: is no checkpoint of Spoke");
   const std::string bytes = make_checkpoint(make_simulation().save());
-  for (const char other : {7, 9})
+  for (const char other : {8, 10})
     CHECK(refusal(with_format(bytes, other))
               .find("c: is of format " + std::to_string(other) + ", this version of Spoke (") == 0);
 }
@@ -148,7 +148,7 @@ TEST_CASE("counts beyond the content are refused before memory is asked for") {
   std::string bytes = make_checkpoint(state);
   const std::size_t count = bytes.size() - 4 - 1 - 1 - 8 - 8;
   bytes[count + 7] = '\x7F';
-  CHECK(refusal(with_format(bytes, 8)) == "c: is damaged: its parts do not fit");
+  CHECK(refusal(with_format(bytes, 9)) == "c: is damaged: its parts do not fit");
 }
 
 TEST_CASE("files that cannot be read or written say why, and the old one stays") {

@@ -129,7 +129,7 @@ TEST_CASE("aerodynamics come with a folder of tables, all of them or none") {
   check_tables(folder.work.path() / "p");
   // A step that is all of the way but for the rounding of decimals.
   CHECK(run_spoke({"performance", "t.toml", "--wind", "8", "--pitch", "0", "--tip-speed-ratio",
-                   "7.7:12.7:5", "--rigid", "--out", "q"},
+                   "7.7:12.7:5", "--rigid", "--out", "p"},
                   folder.work)
             .status == 0);
 }

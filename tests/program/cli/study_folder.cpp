@@ -74,7 +74,7 @@ Left StudyFolder::run(const std::vector<std::string>& options) const {
   std::vector<std::string> arguments = {"study", "study.toml", "--quiet"};
   arguments.insert(arguments.end(), options.begin(), options.end());
   const Ended ended = run_spoke(arguments, work_);
-  CHECK(ended.err.empty());
+  CHECK(ended.err == "");
   CHECK(ended.out.empty());
   REQUIRE(ended.status == 0);
   return left_in(options.at(1));
