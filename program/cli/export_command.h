@@ -12,7 +12,8 @@ struct ExportArguments {
   int blade = 1;       ///< number of the blade
 };
 
-/// Writes a blade, and what belongs to it, of a scenario as files of another program. Throws InputError.
+/// Writes a blade, and what belongs to it, of a scenario as files of another program. Throws
+/// InputError.
 int export_blade(const Arguments& arguments, const ExportArguments& own);
 
 }  // namespace spoke::cli

@@ -22,7 +22,7 @@ constexpr int kHead = 512;
 // the kind.
 extern const FileKind kPage;              ///< of all commands
 extern const FileKind kWindFile;          ///< of spoke wind
-extern const FileKind kExportedFile;       ///< of spoke export
+extern const FileKind kExportedFile;      ///< of spoke export
 extern const FileKind kImportedScenario;  ///< of spoke import
 extern const FileKind kImportedPolar;     ///< of spoke import
 extern const FileKind kFmuFile;           ///< of spoke fmu
