@@ -165,13 +165,14 @@ std::vector<Override> read_overrides(const TomlSection& section, const std::vect
 
 /// The numbers of [load_cases].
 struct Plan {
-  std::string_view turbine;
+  std::vector<std::size_t> turbines;  ///< places in kClasses
   double cut_in = 0.0, rated = 0.0, cut_out = 0.0;
   std::vector<double> speeds;
   int seeds = 0, first_seed = 0;
   double duration = 0.0, settle = 0.0, gust_duration = 0.0;
   double lifetime = 0.0;  ///< [hours]
-  double weibull_scale = 0.0, weibull_shape = 0.0;
+  double weibull_shape = 0.0;
+  std::optional<double> weibull_mean;  ///< none: that of each class [m/s]
   std::vector<Rule> rules;
   std::vector<Override> overrides;
 };
@@ -205,30 +206,44 @@ void read_range(const TomlSection& section, Plan& plan) {
 }
 
 /// Reads the distribution of speeds over a lifetime; by default Rayleigh's, with the class' mean.
-void read_lifetime(const TomlSection& section, std::size_t turbine, Plan& plan) {
+void read_lifetime(const TomlSection& section, Plan& plan) {
   constexpr double kHoursPerYear = 8766.0;
-  constexpr std::array kReferenceSpeeds = {50.0, 42.5, 37.5};
   plan.lifetime = kHoursPerYear * section.number("lifetime", Quantity::positive("years"), 20.0);
   plan.weibull_shape = section.number("weibull_shape", {"", 0.5, 20.0}, 2.0);
-  const double mean = section.number("weibull_mean", Quantity::positive("m/s"),
-                                     0.2 * kReferenceSpeeds[turbine / 3]);
-  plan.weibull_scale = mean / std::tgamma(1.0 + 1.0 / plan.weibull_shape);
+  if (section.has("weibull_mean"))
+    plan.weibull_mean = section.number("weibull_mean", Quantity::positive("m/s"));
+}
+
+/// Reads the classes of the turbine, each once.
+std::vector<std::size_t> read_classes(const TomlSection& section) {
+  std::vector<std::size_t> turbines;
+  TomlSection::Keys names;
+  for (const IecClass turbine : kClasses) names.push_back(name_of(turbine));
+  for (const TomlValue& value : section.values("classes")) {
+    const std::string place = "classes." + std::to_string(turbines.size() + 1);
+    const auto* text = value.as_text();
+    const auto found = text == nullptr ? names.end() : std::find(names.begin(), names.end(), *text);
+    if (found == names.end())
+      section.fail_at(place, "is " + describe(value) + ", expected " + join_names(names));
+    const auto turbine = static_cast<std::size_t>(found - names.begin());
+    if (std::find(turbines.begin(), turbines.end(), turbine) != turbines.end())
+      section.fail_at(place, "is \"" + *text + "\" a second time, expected different classes");
+    turbines.push_back(turbine);
+  }
+  return turbines;
 }
 
 Plan read_plan(const TomlSection& section) {
   Plan plan;
   section.choice("standard", {"IEC 61400-1"});
-  TomlSection::Keys classes;
-  for (const IecClass turbine : kClasses) classes.push_back(name_of(turbine));
-  const std::size_t turbine = section.choice("class", classes);
-  plan.turbine = classes[turbine];
+  plan.turbines = read_classes(section);
   read_range(section, plan);
   plan.seeds = section.integer("seeds", {1, 1000}, 6);
   plan.first_seed = section.integer("first_seed", {0, 1'000'000'000}, 1);
   plan.duration = section.number("duration", Quantity::positive("s"), 600.0);
   plan.settle = section.number("settle", Quantity::not_negative("s"), 30.0);
   plan.gust_duration = section.number("gust_duration", Quantity::positive("s"), 60.0);
-  read_lifetime(section, turbine, plan);
+  read_lifetime(section, plan);
   plan.rules = read_rules(section);
   plan.overrides = read_overrides(section, plan.rules);
   return plan;
@@ -264,19 +279,25 @@ std::vector<std::optional<double>> speeds_of(const Rule& rule, const Plan& plan)
   return within;
 }
 
-/// Returns the probability that the wind stays below a speed.
-double probability_below(double speed, const Plan& plan) {
-  return -std::expm1(-std::pow(speed / plan.weibull_scale, plan.weibull_shape));
+/// Returns the mean speed of the wind at the hub [m/s].
+double mean_speed(std::size_t turbine, const Plan& plan) {
+  constexpr std::array kReferenceSpeeds = {50.0, 42.5, 37.5};
+  return plan.weibull_mean.value_or(0.2 * kReferenceSpeeds[turbine / 3]);
 }
 
 /// Returns the hours of a lifetime in which the wind is nearest to a speed of the plan, between
-/// cut-in and cut-out.
-double hours_at(std::size_t place, const Plan& plan) {
+/// cut-in and cut-out. The lifetime is divided among the classes.
+double hours_at(std::size_t place, std::size_t turbine, const Plan& plan) {
+  const double scale = mean_speed(turbine, plan) / std::tgamma(1.0 + 1.0 / plan.weibull_shape);
+  const auto probability_below = [&](double speed) {
+    return -std::expm1(-std::pow(speed / scale, plan.weibull_shape));
+  };
   const std::vector<double>& speeds = plan.speeds;
   const double from = place == 0 ? plan.cut_in : 0.5 * (speeds[place - 1] + speeds[place]);
   const double to =
       place + 1 == speeds.size() ? plan.cut_out : 0.5 * (speeds[place] + speeds[place + 1]);
-  return plan.lifetime * (probability_below(to, plan) - probability_below(from, plan));
+  return plan.lifetime / static_cast<double>(plan.turbines.size()) *
+         (probability_below(to) - probability_below(from));
 }
 
 /// Whether the hours of the lifetime are those of a case: 1.2, or in its place 1.1, whose wind is
@@ -300,16 +321,20 @@ class TableMaker {
 
   void add(const Rule& rule) {
     const std::vector<std::optional<double>> speeds = speeds_of(rule, plan_);
-    for (std::size_t i = 0; i < speeds.size(); ++i) add_speed(rule, speeds[i], i);
+    for (const std::size_t turbine : plan_.turbines)
+      for (std::size_t i = 0; i < speeds.size(); ++i) add_speed(rule, turbine, speeds[i], i);
   }
   const std::string& text() const { return text_; }
 
  private:
-  void add_speed(const Rule& rule, const std::optional<double>& speed, std::size_t place) {
+  void add_speed(const Rule& rule, std::size_t turbine, const std::optional<double>& speed,
+                 std::size_t place) {
+    const std::string turbine_name(name_of(kClasses[turbine]));
+    const std::string of = plan_.turbines.size() > 1 ? ' ' + turbine_name : "";
     const bool is_turbulent = has_turbulence({.condition = rule.wind, .speed = speed});
     const bool has_gust = !is_turbulent && rule.wind != IecCase::nwp && rule.wind != IecCase::ewm;
-    Row row = {{kHeads[0], case_name(rule.name)},
-               {"wind.iec.class", std::string(plan_.turbine)},
+    Row row = {{kHeads[0], case_name(rule.name) + of},
+               {"wind.iec.class", turbine_name},
                {"wind.iec.case", std::string(name_of(rule.wind))}};
     if (rule.factor) row[kHeads[1]] = table_number(*rule.factor);
     if (speed) row["wind.iec.speed"] = table_number(*speed);
@@ -318,7 +343,7 @@ class TableMaker {
     row["integration.duration"] =
         table_number(plan_.settle + (is_turbulent ? plan_.duration : plan_.gust_duration));
     if (has_lifetime(rule, plan_))
-      row[kHeads[2]] = table_number(hours_at(place, plan_) / plan_.seeds);
+      row[kHeads[2]] = table_number(hours_at(place, turbine, plan_) / plan_.seeds);
     if (is_turbulent)
       add_seeds(rule, row);
     else
@@ -376,8 +401,8 @@ class TableMaker {
 
 LoadCases read_load_cases(const TomlSection& root) {
   const TomlSection section = root.section(
-      "load_cases", {"standard", "class", "cut_in", "rated", "cut_out", "speeds", "cases", "seeds",
-                     "first_seed", "duration", "settle", "gust_duration", "lifetime",
+      "load_cases", {"standard", "classes", "cut_in", "rated", "cut_out", "speeds", "cases",
+                     "seeds", "first_seed", "duration", "settle", "gust_duration", "lifetime",
                      "weibull_mean", "weibull_shape", "override"});
   const Plan plan = read_plan(section);
   TableMaker maker(plan);

@@ -14,6 +14,7 @@
 #include "engine/bodies/kernels/hub_motion.h"
 #include "engine/bodies/kernels/hub_solve.h"
 #include "engine/bodies/kernels/kinematics.h"
+#include "engine/bodies/kernels/loops/loop_motion.h"
 #include "engine/bodies/kernels/plane/section_balance.h"
 #include "engine/bodies/kernels/readings.h"
 #include "engine/bodies/kernels/samples.h"

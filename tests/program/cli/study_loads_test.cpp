@@ -11,7 +11,7 @@
 namespace {
 
 const std::string kLoadCases =
-    "scenario = \"rotor.toml\"\n[load_cases]\nstandard = \"IEC 61400-1\"\nclass = \"IIB\"\n"
+    "scenario = \"rotor.toml\"\n[load_cases]\nstandard = \"IEC 61400-1\"\nclasses = [\"IIB\"]\n"
     "cut_in = 3\nrated = 11\ncut_out = 25\ncases = [\"1.1\", \"1.4\", \"1.5\", \"6.1\"]\n"
     "seeds = 2\n";
 
@@ -98,6 +98,28 @@ TEST_CASE("statistics are the same on all threads and of the listed table, and a
   CHECK(is_found);
 }
 
+TEST_CASE("of several classes each has all cases, and its share of the lifetime") {
+  const auto hours_of = [](const std::string& classes, const std::string& load_case) {
+    const StudyFolder folder;
+    std::string text = kLoadCases;
+    folder.write_study(text.replace(text.find("[\"IIB\"]"), 7, classes));
+    double hours = 0.0;
+    int rows = 0;
+    for (const std::string& line : list_study(folder)) {
+      const std::vector<std::string> cells = cells_of_line(line);
+      if (cells.at(0) != load_case) continue;
+      hours += std::stod(cells.at(2));
+      ++rows;
+    }
+    CHECK(rows == 24);
+    return hours;
+  };
+  CHECK(hours_of("[\"IIB\", \"IC\"]", "DLC 1.1 IIB") ==
+        doctest::Approx(0.5 * hours_of("[\"IIB\"]", "DLC 1.1")).epsilon(1e-8));
+  CHECK(hours_of("[\"IIB\", \"IC\"]", "DLC 1.1 IC") ==
+        doctest::Approx(0.5 * hours_of("[\"IC\"]", "DLC 1.1")).epsilon(1e-8));
+}
+
 TEST_CASE("an empty cell of a table leaves the scenario's own value") {
   const StudyFolder folder;
   folder.work().write("t.csv", "blade.length,blade.bodies\n,2\n3,\n");
@@ -120,7 +142,10 @@ TEST_CASE("wrong load cases and statistics are refused with place, key and value
     return text.replace(text.find(from), from.size(), to);
   };
   refused(with("IEC 61400-1", "GL"), "load_cases.standard: is \"GL\", expected \"IEC 61400-1\"");
-  refused(with("IIB", "IV"), "load_cases.class: is \"IV\", expected \"IA\"");
+  refused(with("IIB", "IV"), "load_cases.classes.1: is \"IV\", expected \"IA\"");
+  refused(with("[\"IIB\"]", "[]"), "load_cases.classes: is an empty array");
+  refused(with("[\"IIB\"]", "[\"IIB\", \"IIB\"]"),
+          "load_cases.classes.2: is \"IIB\" a second time");
   refused(with("rated = 11", "rated = 2"), "load_cases.rated: is 2, expected a speed above");
   refused(with("cut_out = 25", "cut_out = 5"), "load_cases.cut_out: is 5, expected a speed above");
   refused(with("\"6.1\"", "\"9.1\""), "load_cases.cases.4: is \"9.1\", expected \"1.1\"");
