@@ -78,7 +78,8 @@ TEST_CASE("a period is the mean time between upward crossings of the mean, or of
 }
 
 TEST_CASE("a history has the values at output times") {
-  Measurement measurement = measure(of_kind(ResponseKind::history), 0.5);
+  const Response response = of_kind(ResponseKind::history);  // measurements refer to it
+  Measurement measurement = measure(response, 0.5);
   History history = measurement.take_history();
   REQUIRE(history.times.size() == 9);
   CHECK(std::abs(history.times[3] - 1.5) < 1e-12);
