@@ -29,7 +29,9 @@ class Column {
   }
   text(value) {
     if (!Number.isFinite(value)) return 'none';
-    return this.choices ? this.choices[Math.round(value)] : numberText(value);
+    if (!this.choices) return numberText(value);
+    const last = this.choices.length - 1; // the axis of a single choice has a margin
+    return this.choices[Math.min(Math.max(Math.round(value), 0), last)];
   }
 }
 

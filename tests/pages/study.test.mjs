@@ -88,6 +88,13 @@ for (const scheme of ['light', 'dark'])
         assert.equal((await plot.evaluate((frame) => frame.scrollLeft)) > 0, width === 400);
       }));
 
+test('an axis of one choice has its name at both ends', () => {
+  const source = readFileSync(new URL('../../program/report/run_table.js', import.meta.url), 'utf8');
+  const Column = new Function(`${source}; return Column;`)();
+  const column = new Column({ name: 'case', values: [0, 0], choices: ['NTM'] });
+  assert.deepEqual([column.text(column.low), column.text(column.high)], ['NTM', 'NTM']);
+});
+
 test('brushes of an axis and of points select runs in both drawings, and are dropped', () =>
   withPage({}, async (page) => {
     const box = await page.locator('#parallel').boundingBox();
