@@ -150,8 +150,7 @@ struct EquilibriumResult {
   Eigen::Vector3d hub_moment{0.0, 0.0, 0.0};   ///< moment about its origin, hub frame [N m]
   std::optional<RotorAir> air = std::nullopt;  ///< none: no air acts
   std::vector<RotorEquilibrium> rotors{};      ///< of several on a support all; else empty
-  /// None: not known, where matrices are periodic, joints relax or loops are in a singular
-  /// position.
+  /// None: not known, where matrices are periodic or loops are in a singular position.
   std::optional<Stability> stability = std::nullopt;
   std::string stability_unknown{};  ///< why it is not known; empty: it is
   int iterations = 0;               ///< of Newton's method, for all blades

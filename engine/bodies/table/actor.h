@@ -20,6 +20,7 @@
 
 #include "engine/bodies/table/pass_nodes.h"
 #include "engine/bodies/table/stage.h"
+#include "engine/bodies/table/state_pair.h"
 #include "models/world.h"
 
 namespace spoke {
@@ -64,6 +65,9 @@ class Actor {
   /// Sets the states that it reaches on subsystem `i` a time `elapsed` [s] behind those that are
   /// kept, at the motion in the table.
   virtual void advance(std::size_t /*i*/, double /*elapsed*/) noexcept {}
+  /// Adds those of its states of subsystem `i` that linear models of small motions have, too: the
+  /// others they hold.
+  virtual void list_relaxing(std::size_t /*i*/, std::vector<RelaxingState>&) const {}
 
   // What the sensors of a model in space show of it. Subsystems may be at different steps: each
   // keeps its values of a step in its ring, and columns are made of these when all are there.

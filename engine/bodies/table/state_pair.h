@@ -25,4 +25,15 @@ struct StatePair {
   void forget() noexcept { kept.back() = 0.0; }
 };
 
+/// One of a pair's states that relaxes: z, of which the force -z acts on a coordinate q, with
+/// z' = k q' - z/T.
+struct RelaxingState {
+  const StatePair* pair = nullptr;
+  std::size_t index = 0;   ///< of the pair's states
+  int body = 0;            ///< of the subsystem
+  int coordinate = 0;      ///< of the joint that carries the body
+  double stiffness = 0.0;  ///< k [N m/rad, N/m]
+  double time = 0.0;       ///< T [s]
+};
+
 }  // namespace spoke

@@ -56,6 +56,7 @@ bool are_alike(std::size_t a, std::size_t b, SteadyModel& model) {
   const auto& coordinates = model.coordinates(a);
   if (coordinates.size() != model.coordinates(b).size()) return false;
   if (!are_same(model.initial(a), model.initial(b))) return false;
+  if (model.force_states(a) != model.force_states(b)) return false;
   Dice dice;
   if (model.closure_rows(a).size() != model.closure_rows(b).size()) return false;
   const SubsystemState state = move_all(VectorXd::Zero(std::ssize(coordinates)), coordinates,

@@ -119,4 +119,11 @@ SubsystemDerivatives calc_derivatives(std::size_t subsystem, const SubsystemStat
   return by;
 }
 
+Eigen::MatrixXd calc_by_forces(std::size_t subsystem, const SubsystemState& state,
+                               const std::vector<ForceState>& forces, SteadyModel& model) {
+  const HubOffset none = model.no_offset();
+  return differ_by_forces(subsystem, state, forces, model,
+                          [&] { return answer(subsystem, state, none, model); });
+}
+
 }  // namespace spoke::steady

@@ -37,4 +37,8 @@ struct SubsystemDerivatives {
 SubsystemDerivatives calc_derivatives(std::size_t subsystem, const SubsystemState& state,
                                       bool with_hub, SteadyModel& model);
 
+/// Returns the derivatives of the same forces by z of `forces`, in columns, which held states have.
+Eigen::MatrixXd calc_by_forces(std::size_t subsystem, const SubsystemState& state,
+                               const std::vector<ForceState>& forces, SteadyModel& model);
+
 }  // namespace spoke::steady

@@ -138,6 +138,98 @@ void close_subsystem(std::size_t i, const std::vector<Eigen::Index>& rows,
   all.subsystem.basis = motion.basis();
 }
 
+/// Returns the order that puts each of the forces, which are last, behind the coordinates up to the
+/// one on which it acts.
+std::vector<Eigen::Index> order_forces(const std::vector<Eigen::Index>& independent) {
+  std::vector<Eigen::Index> order(independent.size());
+  std::iota(order.begin(), order.end(), Eigen::Index{0});
+  std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
+    return independent[static_cast<std::size_t>(a)] < independent[static_cast<std::size_t>(b)];
+  });
+  return order;
+}
+
+/// Returns a matrix with rows and columns for as many forces behind the others.
+MatrixXd make_room(const MatrixXd& m, Eigen::Index rows, Eigen::Index columns) {
+  MatrixXd larger = MatrixXd::Zero(m.rows() + rows, m.cols() + columns);
+  larger.topLeftCorner(m.rows(), m.cols()) = m;
+  return larger;
+}
+
+/// Appends the forces z of joints that relax to the coordinates y: rows T m z'' + z' + z/T - k/T q,
+/// with m next to nothing. `on_all`: what forces by z are on coordinates and hub. K has the springs
+/// as if they did not relax.
+void append_forces(const std::vector<ForceState>& forces, const MatrixXd& on_all, Shared& all) {
+  constexpr double kLightness = 1e-10;
+  LinearSubsystem& own = all.subsystem;
+  const Eigen::Index m = std::ssize(forces), y = own.M.rows();
+  const Eigen::Index n = own.basis.rows() > 0 ? own.basis.rows() : y;
+  const MatrixXd Z = own.basis.rows() > 0 ? own.basis : MatrixXd::Identity(n, n);
+  const MatrixXd on_q = on_all.topRows(n);
+  for (MatrixXd* matrix : {&own.M, &own.C, &own.K}) *matrix = make_room(*matrix, m, m);
+  if (own.K_terms.size() > 0) own.K_terms = make_room(own.K_terms, m, m);
+  own.K.topRightCorner(y, m) = -Z.transpose() * on_q;
+  MatrixXd by_q(m, n);
+  for (Eigen::Index k = 0; k < m; ++k) {
+    const ForceState& force = forces[static_cast<std::size_t>(k)];
+    by_q.row(k) = -force.stiffness / force.time * on_q.col(k).transpose();
+    own.M(y + k, y + k) = kLightness * force.time;
+    own.C(y + k, y + k) = 1.0;
+    own.K(y + k, y + k) = 1.0 / force.time;
+    own.independent.push_back(force.coordinate);
+  }
+  own.K.bottomLeftCorner(m, y) = by_q * Z;
+  if (own.K_terms.size() > 0) {
+    own.K_terms.rightCols(m) = own.K.rightCols(m).cwiseAbs();
+    own.K_terms.bottomRows(m) = own.K.bottomRows(m).cwiseAbs();
+  }
+  own.basis = make_room(Z, 0, m);
+  own.round_off.force = make_room(own.round_off.force, m, 0);
+  own.round_off.step = make_room(own.round_off.step, m, 0);
+  own.round_off.step.tail(m).setOnes();
+  if (all.by_hub.M.size() == 0) return;
+  for (MatrixXd* columns : {&all.by_hub.M, &all.by_hub.C, &all.by_hub.K})
+    *columns = make_room(*columns, m, 0);
+  for (MatrixXd* rows : {&all.M_on_hub, &all.C_on_hub, &all.K_on_hub})
+    *rows = make_room(*rows, 0, m);
+  all.K_on_hub.rightCols(m) = -on_all.bottomRows(on_all.rows() - n);
+  if (all.following.size() == 0) return;
+  all.by_hub.K.bottomRows(m) = by_q * all.following;
+  all.K_on_hub.rightCols(m) -= all.following.transpose() * on_q;
+}
+
+/// Puts coordinates of a subsystem in another order.
+void reorder(const std::vector<Eigen::Index>& order, Shared& all) {
+  LinearSubsystem& own = all.subsystem;
+  for (MatrixXd* matrix : {&own.M, &own.C, &own.K}) *matrix = (*matrix)(order, order).eval();
+  if (own.K_terms.size() > 0) own.K_terms = own.K_terms(order, order).eval();
+  own.basis = own.basis(Eigen::all, order).eval();
+  own.round_off.force = own.round_off.force(order).eval();
+  own.round_off.step = own.round_off.step(order).eval();
+  if (all.by_hub.M.size() == 0) return;
+  for (MatrixXd* columns : {&all.by_hub.M, &all.by_hub.C, &all.by_hub.K})
+    *columns = (*columns)(order, Eigen::all).eval();
+  for (MatrixXd* rows : {&all.M_on_hub, &all.C_on_hub, &all.K_on_hub})
+    *rows = (*rows)(Eigen::all, order).eval();
+}
+
+/// Adds what joints of a subsystem that relax do, at `state`.
+void relax_subsystem(std::size_t i, const SubsystemState& state, SteadyModel& model, Shared& all) {
+  const std::vector<ForceState> forces = model.force_states(i);
+  if (forces.empty()) return;
+  append_forces(forces, calc_by_forces(i, state, forces, model), all);
+  LinearSubsystem& own = all.subsystem;
+  const std::vector<Eigen::Index> order = order_forces(own.independent);
+  const Eigen::Index first = std::ssize(order) - std::ssize(forces);
+  std::vector<Eigen::Index> independent;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    independent.push_back(own.independent[static_cast<std::size_t>(order[k])]);
+    if (order[k] >= first) own.forces.push_back(static_cast<Eigen::Index>(k));
+  }
+  own.independent = std::move(independent);
+  reorder(order, all);
+}
+
 Shared linearize_subsystem(std::size_t i, const Equilibrium& equilibrium,
                            const HubKinematics& kinematics, const std::vector<int>& free,
                            SteadyModel& model) {
@@ -158,18 +250,17 @@ Shared linearize_subsystem(std::size_t i, const Equilibrium& equilibrium,
   all.subsystem.round_off = find_round_off(i, all.subsystem.M, all.effort, model);
   all.subsystem.independent.resize(static_cast<std::size_t>(n));
   std::iota(all.subsystem.independent.begin(), all.subsystem.independent.end(), Eigen::Index{0});
-  if (!is_coupled) {
-    if (!model.closure_rows(i).empty()) close_subsystem(i, equilibrium.rows[i], free, model, all);
-    return all;
+  if (is_coupled) {
+    const MatrixXd M_bh = matrices.mass.bottomLeftCorner(n, d);
+    all.by_hub = make_columns(M_bh, by.by_turn.topRows(n), by.by_twist.topRows(n), kinematics);
+    all.M_on_hub = M_bh.transpose();
+    all.C_on_hub = -by.by_v.bottomRows(d);
+    all.K_on_hub = -by.by_q.bottomRows(d);
+    all.hub = make_columns(matrices.mass.topLeftCorner(d, d), by.by_turn.bottomRows(d),
+                           by.by_twist.bottomRows(d), kinematics);
   }
-  const MatrixXd M_bh = matrices.mass.bottomLeftCorner(n, d);
-  all.by_hub = make_columns(M_bh, by.by_turn.topRows(n), by.by_twist.topRows(n), kinematics);
-  all.M_on_hub = M_bh.transpose();
-  all.C_on_hub = -by.by_v.bottomRows(d);
-  all.K_on_hub = -by.by_q.bottomRows(d);
-  all.hub = make_columns(matrices.mass.topLeftCorner(d, d), by.by_turn.bottomRows(d),
-                         by.by_twist.bottomRows(d), kinematics);
   if (!model.closure_rows(i).empty()) close_subsystem(i, equilibrium.rows[i], free, model, all);
+  relax_subsystem(i, state, model, all);
   return all;
 }
 
@@ -257,6 +348,25 @@ Eigen::VectorXcd LinearModel::motion_of(std::size_t i, const Eigen::VectorXcd& y
   Eigen::VectorXcd q = own.basis.rows() > 0 ? Eigen::VectorXcd(own.basis * y) : y;
   if (is_coupled() && couplings[i].following.size() > 0) q += couplings[i].following * hub;
   return q;
+}
+
+std::vector<SubsystemCoordinate> list_independent(std::size_t subsystem, const LinearModel& linear,
+                                                  const SteadyModel& model) {
+  const LinearSubsystem& own = linear.subsystem(subsystem);
+  std::vector<SubsystemCoordinate> list;
+  for (const Eigen::Index k : own.independent)
+    list.push_back(model.coordinates(subsystem)[static_cast<std::size_t>(k)]);
+  for (const Eigen::Index k : own.forces) {
+    SubsystemCoordinate& force = list[static_cast<std::size_t>(k)];
+    force = force_on(force);
+  }
+  return list;
+}
+
+bool has_forces(const LinearModel& linear) {
+  const auto relaxes = [](const LinearSubsystem& own) { return !own.forces.empty(); };
+  return std::any_of(linear.subsystems.begin(), linear.subsystems.end(), relaxes) ||
+         (linear.support && !linear.support->forces.empty());
 }
 
 LinearModel linearize(const Equilibrium& equilibrium, SteadyModel& model, HubFreedom freedom) {

@@ -28,11 +28,15 @@ struct RoundOff {
 };
 
 /// Matrices of one subsystem alone while the hub is held, of its independent coordinates y: of all,
-/// unless it has loops, by which the others follow these.
+/// unless it has loops, by which the others follow these. Where joints relax (ForceState), their z
+/// are among y, each behind the coordinate on which it acts: z' = (k q - z)/T, with next to no mass
+/// that leaves its root of no interest far away.
 struct LinearSubsystem {
   Eigen::MatrixXd M, C, K;
   RoundOff round_off;
-  std::vector<Eigen::Index> independent{};  ///< numbers of the coordinates y
+  /// Numbers of the coordinates y; of a force that of the coordinate on which it acts.
+  std::vector<Eigen::Index> independent{};
+  std::vector<Eigen::Index> forces{};  ///< places of the forces z among y, ascending
   /// Z, by which y moves all coordinates: q = Z y; empty: q = y.
   Eigen::MatrixXd basis{};
   /// Sizes of the terms of which K consists, in the place of |K|; empty: |K|.
@@ -64,9 +68,10 @@ struct LinearSupport {
   /// By rotor: along which the torque of its drive acts, that of the axle or of its generator; zero
   /// if a drive prescribes the motion.
   std::vector<Eigen::VectorXd> drives{};
-  std::vector<std::string> of{};     ///< by entry of z: the body, or the joint, that it moves
-  std::vector<std::string> names{};  ///< of the entries: "support / tower / node 3 / w"
-  std::vector<bool> turns{};         ///< by entry: whether it is an angle
+  std::vector<std::string> of{};       ///< by entry of z: the body, or the joint, that it moves
+  std::vector<std::string> names{};    ///< of the entries: "support / tower / node 3 / w"
+  std::vector<std::string> units{};    ///< of the entries
+  std::vector<Eigen::Index> forces{};  ///< entries that are forces, see LinearSubsystem
 };
 
 /// The matrices of a model. Subsystems meet at the hub only, whose free coordinates are small
@@ -92,6 +97,12 @@ struct LinearModel {
   Eigen::VectorXcd motion_of(std::size_t i, const Eigen::VectorXcd& y,
                              const Eigen::VectorXcd& hub) const;
 };
+
+/// Returns the independent coordinates of a subsystem, forces among them, in their order.
+std::vector<SubsystemCoordinate> list_independent(std::size_t subsystem, const LinearModel& linear,
+                                                  const SteadyModel& model);
+/// Whether forces of relaxing joints are among the coordinates of a model.
+bool has_forces(const LinearModel& linear);
 
 /// Which components of the hub's motion are coordinates of a linear model.
 enum class HubFreedom {

@@ -138,21 +138,23 @@ void name_entries(const Layout& z, const LinearModel& linear, const SupportedMod
                   LinearSupport& support) {
   const SteadyModel& model = machine.support();
   static constexpr const char* kBase[] = {"x", "y", "z", "rotation x", "rotation y", "rotation z"};
-  const auto add = [&support](const std::string& of, const std::string& name, bool turns) {
+  const auto add = [&support](const std::string& of, const std::string& name,
+                              const std::string& unit) {
     support.of.push_back(of);
     support.names.push_back(name);
-    support.turns.push_back(turns);
+    support.units.push_back(unit);
   };
-  for (Index c = 0; c < z.base; ++c) add("fuselage", std::string("fuselage / ") + kBase[c], c >= 3);
-  for (const Index k : linear.subsystem(0).independent) {
-    const SubsystemCoordinate& own = model.coordinates(0)[static_cast<std::size_t>(k)];
+  for (Index c = 0; c < z.base; ++c)
+    add("fuselage", std::string("fuselage / ") + kBase[c], c < 3 ? "m" : "rad");
+  for (const SubsystemCoordinate& own : list_independent(0, linear, model)) {
     const std::string& body = model.body_names(0)[static_cast<std::size_t>(own.body)];
     const std::string beam = body.substr(0, body.find(" / "));  // its parts go together
-    add(own.node < 0 ? own.joint : beam, model.name_of(0) + " / " + own.name, own.turns);
+    add(own.node < 0 ? own.joint : beam, model.name_of(0) + " / " + own.name, own.unit());
   }
+  for (const Index k : linear.subsystem(0).forces) support.forces.push_back(z.base + k);
   for (std::size_t r = 0; r < machine.rotors(); ++r) {
     const std::string axle = machine.parts(r).prefix + "axle";
-    if (z.axles[r]) add(axle, model.name_of(0) + " / " + axle, true);
+    if (z.axles[r]) add(axle, model.name_of(0) + " / " + axle, "rad");
   }
 }
 

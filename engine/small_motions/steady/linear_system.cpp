@@ -90,6 +90,8 @@ class Assembly {
   void add_part(const Part& part, Index coordinate, Index input);
   void add_outputs_of(std::size_t i);
   void add_by_coordinates(std::size_t i, Index row, const MatrixXd& by, Index first);
+  void add_by_forces(std::size_t i, Index row, const MatrixXd& by);
+  std::vector<Index> list_forces(std::size_t i) const;
   void add_output(const LinearSignal& signal, Index column);
   void add_hub_outputs();
   void add_supported_hub_outputs();
@@ -149,7 +151,8 @@ void Assembly::name_states() {
   std::vector<LinearSignal>& states = result_.states;
   states = name_hub_states(linear_, model_);
   for (std::size_t i = 0; i < model_.subsystems(); ++i)
-    for (const Index k : linear_.subsystem(i).independent) states.push_back(name_coordinate(i, k));
+    for (const SubsystemCoordinate& coordinate : list_independent(i, linear_, model_))
+      states.push_back({model_.full_name(i, coordinate.name), coordinate.unit()});
   for (std::size_t k = 0; k < static_cast<std::size_t>(size_); ++k)
     states.push_back(rate_of(states[k]));
 }
@@ -168,7 +171,7 @@ Part Assembly::make_subsystem_part(std::size_t i) {
 
 LinearSignal Assembly::name_coordinate(std::size_t i, Index k) const {
   const SubsystemCoordinate& coordinate = model_.coordinates(i)[static_cast<std::size_t>(k)];
-  return {model_.full_name(i, coordinate.name), coordinate.turns ? "rad" : "m"};
+  return {model_.full_name(i, coordinate.name), coordinate.unit()};
 }
 
 /// Returns the forces of the inputs of a subsystem on its independent coordinates.
@@ -243,6 +246,7 @@ void Assembly::add_outputs_of(std::size_t i) {
   result_.outputs.insert(result_.outputs.end(), signals.begin(), signals.end());
   add_by_coordinates(i, row, by.by_q, 0);
   add_by_coordinates(i, row, by.by_v, size_);
+  add_by_forces(i, row, by.by_forces);
   D_.add(row, inputs_[i],
          to_columns(effects_.subsystems[i], &LoadEffect::outputs, std::ssize(signals)));
   if (linear_.is_coupled()) {
@@ -271,6 +275,21 @@ void Assembly::add_by_coordinates(std::size_t i, Index row, const MatrixXd& by, 
   if (!linear_.is_coupled()) return;
   const MatrixXd& G = linear_.couplings[i].following;
   if (G.size() > 0) C_.add(row, first, by * G);
+}
+
+/// Returns the numbers of the forces of a subsystem among the coordinates.
+std::vector<Index> Assembly::list_forces(std::size_t i) const {
+  std::vector<Index> list =
+      model_.stands(i) ? linear_.support->forces : linear_.subsystem(i).forces;
+  if (!model_.stands(i))
+    for (Index& k : list) k += coordinates_[i];
+  return list;
+}
+
+void Assembly::add_by_forces(std::size_t i, Index row, const MatrixXd& by) {
+  const std::vector<Index> columns = list_forces(i);
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    C_.add(row, columns[k], by.col(static_cast<Index>(k)));
 }
 
 /// Adds an output that is a state.
@@ -315,6 +334,10 @@ LinearSystem Assembly::make() {
   result_.C = C_.matrix(outputs, 2 * size_);
   result_.D = D_.matrix(outputs, input_count_);
   result_.left_out = model_.other_sensors();
+  std::vector<Index> forces;
+  for (std::size_t i = 0; i < model_.subsystems(); ++i)
+    for (const Index k : list_forces(i)) forces.push_back(k);
+  take_out_rates(std::move(forces), result_);
   return std::move(result_);
 }
 

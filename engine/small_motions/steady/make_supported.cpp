@@ -228,9 +228,11 @@ std::unique_ptr<SteadyModel> make_supported(const Scenario& scenario, const Stea
         System<Space> loaded = machine->support;
         for (std::size_t r = 0; r < wrenches.size(); ++r)
           load_hub(wrenches[r], machine->rotors[r].ballast, hubs[r].body, loaded);
-        return make_part(
-            loaded, sensors, machine->support_tree, 0, loops,
-            {.instant = options.instant, .has_outputs = options.has_outputs, .is_support = true});
+        return make_part(loaded, sensors, machine->support_tree, 0, loops,
+                         {.instant = options.instant,
+                          .has_outputs = options.has_outputs,
+                          .is_support = true,
+                          .holds_forces = options.holds_forces});
       };
   parts.base = make_rotation(machine->support.hub.orientation).axes;
   return std::make_unique<SupportedModel>(std::move(parts));

@@ -42,7 +42,7 @@ OutputDerivatives calc_output_derivatives(std::size_t subsystem, const Subsystem
   const HubOffset none = model.no_offset();
   const double rate = kVelocityStep * velocity_scale({}, model.speed());
   const HeldStates held(subsystem, state, model);
-  OutputDerivatives by{MatrixXd(rows, n), MatrixXd(rows, n), {}, {}, {}};
+  OutputDerivatives by{MatrixXd(rows, n), MatrixXd(rows, n), {}, {}, {}, {}};
   SubsystemState moved = state;
   for (Eigen::Index k = 0; k < n; ++k) {
     const SubsystemCoordinate& coordinate = coordinates[static_cast<std::size_t>(k)];
@@ -62,7 +62,18 @@ OutputDerivatives calc_output_derivatives(std::size_t subsystem, const Subsystem
   by.by_turn = differ_by_hub(&HubOffset::turn, subsystem, state, model, of_turn);
   by.by_twist = differ_by_hub(&HubOffset::twist, subsystem, state, model, of_rate);
   by.by_acceleration = differ_by_hub(&HubOffset::acceleration, subsystem, state, model, of_rate);
+  by.by_forces = MatrixXd::Zero(rows, 0);
+  if (const std::vector<ForceState> forces = model.force_states(subsystem); !forces.empty())
+    by.by_forces = differ_by_forces(subsystem, state, forces, model,
+                                    [&] { return measure(subsystem, state, none, model); });
   measure(subsystem, state, none, model);
+  return by;
+}
+
+MatrixXd by_independent(const MatrixXd& by_q, const MatrixXd& by_forces,
+                        const LinearSubsystem& own) {
+  MatrixXd by = own.basis.rows() > 0 ? MatrixXd(by_q * own.basis) : by_q;
+  if (by_forces.size() > 0) by(Eigen::all, own.forces) = by_forces;
   return by;
 }
 

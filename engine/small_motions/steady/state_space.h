@@ -39,6 +39,10 @@ std::vector<LinearSignal> name_hub_states(const LinearModel& linear, const Stead
 /// Returns the rate of a signal.
 LinearSignal rate_of(const LinearSignal& signal);
 
+/// Takes the rates of coordinates with next to no mass, forces by their numbers, out of the states:
+/// they follow the other states at once.
+void take_out_rates(std::vector<Eigen::Index> forces, LinearSystem& system);
+
 /// Throws InputError if more than kMostCoupled coordinates move together.
 void require_few_coupled(Eigen::Index coordinates);
 

@@ -35,7 +35,32 @@ struct SubsystemCoordinate {
   double scale = 1.0;  ///< a large value of it [rad, m]
   /// Whether it is of a rotation vector, whose rate is not its velocity.
   bool is_spherical = false;
+  /// Whether it is no motion, but the force of a ForceState on one [N m, N].
+  bool is_force = false;
+
+  std::string unit() const {
+    if (is_force) return turns ? "N m" : "N";
+    return turns ? "rad" : "m";
+  }
 };
+
+/// A spring in series with a damper on a coordinate q, about equilibrium, where it is relaxed: the
+/// force on q is z - k q, with z' = (k q - z)/T.
+struct ForceState {
+  Eigen::Index coordinate = 0;  ///< q, of the subsystem
+  double stiffness = 0.0;       ///< k [N m/rad, N/m]
+  double time = 0.0;            ///< T [s]
+  std::size_t state = 0;        ///< of those of advance_states() the one that is k q - z
+
+  bool operator==(const ForceState&) const = default;
+};
+
+/// Returns z as one of a subsystem's coordinates, which `q` is another of.
+inline SubsystemCoordinate force_on(SubsystemCoordinate q) {
+  q.name += " relaxation";
+  q.is_force = true;
+  return q;
+}
 
 /// Returns those of a subsystem's coordinates `x` that deform one of its bodies.
 template <class Scalar>
@@ -156,6 +181,8 @@ struct SteadyOptions {
   bool has_outputs = false;  ///< whether the scenario's sensors are to be read
   /// Whether it is a support without its rotor: what follows from accelerations is then not known.
   bool is_support = false;
+  /// Whether springs that relax are springs, as in motions that are fast beside them.
+  bool holds_forces = false;
   /// Of further rotors on a support, by number from 1; those beyond the end stand [rad/s].
   std::vector<double> further_speeds{};
 
@@ -281,6 +308,9 @@ class SteadyModel {
   /// evaluated last; inputs are linear meanwhile. Held nowhere: in equilibrium. Returns them;
   /// empty: there are none.
   virtual std::vector<double> advance_states(std::size_t subsystem, double elapsed) = 0;
+  /// Returns those of the states that are states of linear models, too, where held ones are
+  /// springs.
+  virtual std::vector<ForceState> force_states(std::size_t subsystem) const = 0;
 
   /// Adds a motion about the axis to the hub's steady rotation, besides which the offsets of all
   /// that follows are: its turn, its speed, and its acceleration.

@@ -52,6 +52,7 @@ SteadySystem<World>::SteadySystem(const SystemMaker<World>& maker,
     : names_(std::move(names)) {
   speed_ = options.speed;
   is_support_ = options.is_support;
+  holds_forces_ = options.holds_forces;
   maker.fill(context_.system);
   const std::vector<std::vector<LoopRowUse>> use = start_loops_of(context_.system, maker.loops);
   hub_ = context_.system.hub;
@@ -119,6 +120,46 @@ std::vector<double> SteadySystem<World>::advance_states(std::size_t subsystem, d
     states.insert(states.end(), pair->kept.begin(), pair->kept.end());
   }
   return states;
+}
+
+template <class World>
+std::size_t SteadySystem<World>::count_states(std::size_t subsystem) const {
+  std::size_t count = 0;
+  for (const auto& pair : data(subsystem).delayed) count += pair->kept.size();
+  return count;
+}
+
+template <class World>
+std::vector<ForceState> SteadySystem<World>::force_states(std::size_t subsystem) const {
+  if (holds_forces_) return {};
+  std::vector<RelaxingState> relaxing;
+  for (const auto& actor : context_.data.actors) actor->list_relaxing(subsystem, relaxing);
+  std::vector<ForceState> list;
+  for (const RelaxingState& own : relaxing) {
+    ForceState& state = list.emplace_back();
+    state.coordinate = find_coordinate(subsystem, own.body, own.coordinate);
+    state.stiffness = own.stiffness;
+    state.time = own.time;
+    state.state = own.index;
+    for (const auto& pair : data(subsystem).delayed) {
+      if (pair.get() == own.pair) break;
+      state.state += pair->kept.size();
+    }
+  }
+  return list;
+}
+
+/// Returns the number of a coordinate of the joint that carries a body.
+template <class World>
+Eigen::Index SteadySystem<World>::find_coordinate(std::size_t subsystem, int body,
+                                                  int coordinate) const {
+  Eigen::Index at = coordinate;
+  for (int j = 0; j < body; ++j) {
+    const TreeBody<World>& before =
+        context_.system.subsystems[subsystem].bodies[static_cast<std::size_t>(j)];
+    at += count_joint_coordinates(before) + before.body->coordinates();
+  }
+  return at;
 }
 
 template <class World>
@@ -438,6 +479,7 @@ template void SteadySystem<Plane>::set_share(double);
 template void SteadySystem<Plane>::hold_states(std::size_t, bool);
 template void SteadySystem<Plane>::hold_states_at(std::size_t, std::span<const double>);
 template std::vector<double> SteadySystem<Plane>::advance_states(std::size_t, double);
+template std::vector<ForceState> SteadySystem<Plane>::force_states(std::size_t) const;
 template void SteadySystem<Plane>::move_hub(double, double, double);
 template Eigen::VectorXd SteadySystem<Plane>::initial(std::size_t) const;
 template void SteadySystem<Plane>::settle(std::size_t, Eigen::VectorXd&);
@@ -467,6 +509,8 @@ template void SteadySystem<Space>::set_share(double);
 template void SteadySystem<Space>::hold_states(std::size_t, bool);
 template void SteadySystem<Space>::hold_states_at(std::size_t, std::span<const double>);
 template std::vector<double> SteadySystem<Space>::advance_states(std::size_t, double);
+template std::vector<ForceState> SteadySystem<Space>::force_states(std::size_t) const;
+template std::size_t SteadySystem<Space>::count_states(std::size_t) const;
 template void SteadySystem<Space>::move_hub(double, double, double);
 template Eigen::VectorXd SteadySystem<Space>::initial(std::size_t) const;
 template void SteadySystem<Space>::settle(std::size_t, Eigen::VectorXd&);

@@ -64,12 +64,15 @@ class SteadySystem final : public SteadyModel {
   void hold_states(std::size_t subsystem, bool holds) override;
   void hold_states_at(std::size_t subsystem, std::span<const double> states) override;
   std::vector<double> advance_states(std::size_t subsystem, double elapsed) override;
+  std::vector<ForceState> force_states(std::size_t subsystem) const override;
   void move_hub(double turn, double rate, double acceleration) override;
   Eigen::VectorXd initial(std::size_t subsystem) const override;
   void settle(std::size_t subsystem, Eigen::VectorXd& q) override;
   void settle_at(std::size_t subsystem, const Eigen::VectorXd& absolute) override;
   void evaluate(std::size_t subsystem, const SubsystemState& state, const HubOffset& hub,
                 SubsystemResponse& response) override;
+  /// Returns the number of the states of advance_states().
+  std::size_t count_states(std::size_t subsystem) const;
   /// As evaluate(), for all subsystems of a group at once: `states` and `responses` by member. Of a
   /// loop between them the rows of its own subsystem count, and those of its shares follow. Hubs
   /// follow what carries them, to which `responses` hand up their forces; they are forces on the
@@ -130,6 +133,7 @@ class SteadySystem final : public SteadyModel {
   void put_bodies(std::size_t subsystem, const Eigen::VectorXd& q, const Eigen::VectorXd& v);
   Eigen::VectorXd take_bodies(std::size_t subsystem) const;
   PrescribedHub<World> hub_motion(const HubOffset& offset) const;
+  Eigen::Index find_coordinate(std::size_t subsystem, int body, int coordinate) const;
   void find_nodes();
   Eigen::MatrixXd calc_twists(std::size_t subsystem);
   void set_undeformed();
@@ -145,7 +149,7 @@ class SteadySystem final : public SteadyModel {
   std::vector<SubsystemNames> names_;
   typename World::Hub hub_;  ///< as in the scenario
   std::vector<int> free_;
-  bool is_support_ = false;  ///< see SteadyOptions
+  bool is_support_ = false, holds_forces_ = false;  ///< see SteadyOptions
   double share_ = 1.0;
   std::optional<HubOffset> moved_;  ///< by move_hub()
   std::optional<SteadyLoads<World>> loads_;

@@ -128,6 +128,9 @@ class SupportedModel final : public SteadyModel {
   std::vector<double> advance_states(std::size_t i, double elapsed) override {
     return of(i).advance_states(in(i), elapsed);
   }
+  std::vector<ForceState> force_states(std::size_t i) const override {
+    return of(i).force_states(in(i));
+  }
   void move_hub(double turn, double rate, double acceleration) override {
     for (const auto& rotor : rotors_) rotor->move_hub(turn, rate, acceleration);
   }

@@ -217,24 +217,33 @@ void TiedModel::hold_states(std::size_t g, bool holds) {
 }
 
 void TiedModel::hold_states_at(std::size_t g, std::span<const double> states) {
-  const Group& group = groups_[g];
-  assert(group.state_counts.size() == group.subsystems.size());
-  for (std::size_t m = 0; m < group.subsystems.size(); ++m) {
-    base_->hold_states_at(group.subsystems[m], states.first(group.state_counts[m]));
-    states = states.subspan(group.state_counts[m]);
+  for (const std::size_t i : groups_[g].subsystems) {
+    const std::size_t count = base_->count_states(i);
+    base_->hold_states_at(i, states.first(count));
+    states = states.subspan(count);
   }
 }
 
 std::vector<double> TiedModel::advance_states(std::size_t g, double elapsed) {
-  Group& group = groups_[g];
-  group.state_counts.clear();
   std::vector<double> states;
-  for (const std::size_t i : group.subsystems) {
-    const std::vector<double> own = base_->advance_states(i, elapsed);
-    group.state_counts.push_back(own.size());
-    append(own, states);
-  }
+  for (const std::size_t i : groups_[g].subsystems)
+    append(base_->advance_states(i, elapsed), states);
   return states;
+}
+
+std::vector<ForceState> TiedModel::force_states(std::size_t g) const {
+  const Group& group = groups_[g];
+  std::vector<ForceState> all;
+  std::size_t first = 0;
+  for (std::size_t m = 0; m < group.subsystems.size(); ++m) {
+    for (ForceState own : base_->force_states(group.subsystems[m])) {
+      own.coordinate += group.starts[m];
+      own.state += first;
+      all.push_back(own);
+    }
+    first += base_->count_states(group.subsystems[m]);
+  }
+  return all;
 }
 
 VectorXd TiedModel::initial(std::size_t g) const {

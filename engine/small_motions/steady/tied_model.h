@@ -46,6 +46,7 @@ class TiedModel final : public SteadyModel {
   void hold_states(std::size_t g, bool holds) override;
   void hold_states_at(std::size_t g, std::span<const double> states) override;
   std::vector<double> advance_states(std::size_t g, double elapsed) override;
+  std::vector<ForceState> force_states(std::size_t g) const override;
   void move_hub(double turn, double rate, double acceleration) override {
     base_->move_hub(turn, rate, acceleration);
   }
@@ -102,9 +103,8 @@ class TiedModel final : public SteadyModel {
     /// subsystem, then those of its shares.
     std::vector<std::vector<RowAt>> rows;
     std::vector<ClosureRow> closure_rows;
-    std::vector<RowAt> loops;               ///< `row`: number of the loop of the member
-    Eigen::MatrixXd stiffness;              ///< at the state that was evaluated last
-    std::vector<std::size_t> state_counts;  ///< of advance_states()
+    std::vector<RowAt> loops;   ///< `row`: number of the loop of the member
+    Eigen::MatrixXd stiffness;  ///< at the state that was evaluated last
   };
 
   Eigen::Index size(const Group& group, std::size_t member) const {

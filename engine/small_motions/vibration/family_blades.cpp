@@ -35,11 +35,14 @@ std::vector<FamilyBlade> list_blades(const BladeFamily& family, const Linearised
 std::vector<steady::SubsystemCoordinate> list_independent(const FamilyBlade& blade,
                                                           const steady::LinearModel& linear) {
   const std::vector<Index>& all = linear.subsystem(blade.subsystem).independent;
+  const std::vector<Index>& forces = linear.subsystem(blade.subsystem).forces;
   std::vector<steady::SubsystemCoordinate> list;
   for (Index k = 0; k < blade.independent.count; ++k) {
     const Index at = all[static_cast<std::size_t>(blade.independent.first + k)];
     list.push_back(blade.model->coordinates(
         blade.own)[static_cast<std::size_t>(at - blade.coordinates.first)]);
+    if (std::binary_search(forces.begin(), forces.end(), blade.independent.first + k))
+      list.back() = steady::force_on(list.back());
   }
   return list;
 }

@@ -16,6 +16,7 @@ struct Entries {
   Eigen::Index first = 0, count = 0;
 
   auto of(const auto& vector) const { return vector.segment(first, count); }
+  bool has(Eigen::Index k) const { return first <= k && k < first + count; }
 };
 
 /// A blade of a family.

@@ -70,7 +70,7 @@ Scenario without_motion(const Scenario& scenario) {
 std::vector<LinearModel> linearize_parts(const Scenario& scenario,
                                          const std::vector<double>& speeds, double share) {
   const std::unique_ptr<steady::SteadyModel> model =
-      steady::make_steady_model(scenario, steady::at_speeds(speeds));
+      steady::make_steady_model(scenario, steady::at_speeds(speeds, {.holds_forces = true}));
   model->set_share(share);
   steady::Equilibrium start;
   start.alike = steady::find_alike(*model);

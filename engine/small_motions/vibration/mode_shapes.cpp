@@ -119,15 +119,6 @@ std::string KindNames::find_direction(const std::array<double, 4>& energies) {
   return is_second_ ? "flap" : "lag";
 }
 
-std::vector<steady::SubsystemCoordinate> list_independent(std::size_t subsystem,
-                                                          const steady::LinearModel& linear,
-                                                          const SteadyModel& model) {
-  std::vector<steady::SubsystemCoordinate> list;
-  for (const Eigen::Index k : linear.subsystem(subsystem).independent)
-    list.push_back(model.coordinates(subsystem)[static_cast<std::size_t>(k)]);
-  return list;
-}
-
 std::string KindNames::name(const std::vector<steady::SubsystemCoordinate>& coordinates,
                             const VectorXcd& x, const Eigen::MatrixXd& mass,
                             const SubsystemShape& shape) {

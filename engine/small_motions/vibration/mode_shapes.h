@@ -33,12 +33,6 @@ struct SubsystemShape {
 SubsystemShape calc_subsystem_shape(std::size_t subsystem, const Eigen::VectorXd& q,
                                     const Eigen::VectorXcd& x, steady::SteadyModel& model);
 
-/// Returns those of a subsystem's coordinates that its loops leave independent, in the order of the
-/// linear model.
-std::vector<steady::SubsystemCoordinate> list_independent(std::size_t subsystem,
-                                                          const steady::LinearModel& linear,
-                                                          const steady::SteadyModel& model);
-
 /// Names kinds of modes, in ascending order of their roots.
 class KindNames {
  public:

@@ -85,7 +85,7 @@ BladeOutputs find_outputs(const BladeFamily& family, const Linearised& all,
         blade.model->coordinates(blade.own)[static_cast<std::size_t>(k)];
     if (coordinate.node >= 0) continue;
     joints.push_back(blade.coordinates.first + k);
-    outputs.signals.push_back({coordinate.name, coordinate.turns ? "rad" : "m"});
+    outputs.signals.push_back({coordinate.name, coordinate.unit()});
   }
   const Index more = std::ssize(joints);
   const MatrixXd turn = blade.model->turn_outputs(blade.own, family.azimuths[0]);
@@ -93,22 +93,24 @@ BladeOutputs find_outputs(const BladeFamily& family, const Linearised& all,
     const MatrixXd turned = turn * m.middleRows(blade.outputs.first, blade.outputs.count);
     return extend(MatrixXd(turned(outputs.shown, Eigen::all)), more);
   };
-  steady::OutputDerivatives all_rows{rows(by.by_q), rows(by.by_v), rows(by.by_turn),
-                                     rows(by.by_twist), rows(by.by_acceleration)};
+  steady::OutputDerivatives all_rows{rows(by.by_q),
+                                     rows(by.by_v),
+                                     rows(by.by_turn),
+                                     rows(by.by_twist),
+                                     rows(by.by_acceleration),
+                                     rows(by.by_forces)};
   for (Index k = 0; k < more; ++k)
     all_rows.by_q(std::ssize(outputs.shown) + k, joints[static_cast<std::size_t>(k)]) = 1.0;
-  const MatrixXd& Z = all.linear.subsystem(i).basis;
-  const auto split = [&](const MatrixXd& m) {
-    const MatrixXd by_independent = Z.rows() > 0 ? MatrixXd(m * Z) : m;
+  const auto split = [&](const MatrixXd& m, const MatrixXd& by_forces) {
+    const MatrixXd by_y = by_independent(m, by_forces, all.linear.subsystem(i));
     std::vector<MatrixXd> parts;
     for (const FamilyBlade& other : blades)
       if (other.subsystem == i)
-        parts.push_back(
-            by_independent.middleCols(other.independent.first, other.independent.count));
+        parts.push_back(by_y.middleCols(other.independent.first, other.independent.count));
     return parts;
   };
-  outputs.by_y = split(all_rows.by_q);
-  outputs.by_rate = split(all_rows.by_v);
+  outputs.by_y = split(all_rows.by_q, all_rows.by_forces);
+  outputs.by_rate = split(all_rows.by_v, MatrixXd());
   const SecondOrder standing = stand_columns(make_hub_columns(i, all_rows, all), axes);
   const MatrixXd T = axes.T.at(family.azimuths[0]);
   outputs.by_hub = {standing.M * T, standing.C * T, standing.K * T};

@@ -87,6 +87,7 @@ class MultiBladeAssembly {
   void add_standing_inputs();
   void add_hub_inputs();
   std::vector<Index> list_coordinates(const Group& group) const;
+  std::vector<Index> list_forces() const;
   SecondOrder assemble(const Group& group, Index size) const;
   void add_group(const Group& group);
   void add_hub_rows(Index row, const SecondOrder& by_hub);
@@ -172,8 +173,7 @@ void MultiBladeAssembly::name_states() {
     for (const Amplitude& amplitude : amplitudes_[f])
       for (const steady::SubsystemCoordinate& coordinate :
            list_independent(list_blades(family, all_)[0], all_.linear))
-        states.push_back(
-            {of + coordinate.name + ' ' + amplitude.name, coordinate.turns ? "rad" : "m"});
+        states.push_back({of + coordinate.name + ' ' + amplitude.name, coordinate.unit()});
   }
   assert(std::ssize(states) == size_);
   for (std::size_t k = 0; k < static_cast<std::size_t>(size_); ++k)
@@ -212,6 +212,18 @@ void MultiBladeAssembly::add_standing_inputs() {
                                 support()->base.transpose() * input.support.hub_force;
     add_input(input.input, force);
   }
+}
+
+/// Returns the numbers of forces of relaxing joints among all coordinates.
+std::vector<Index> MultiBladeAssembly::list_forces() const {
+  std::vector<Index> list = support() ? support()->forces : std::vector<Index>();
+  for (std::size_t f = 0; f < frame_.families.size(); ++f) {
+    const FamilyBlade blade = list_blades(frame_.families[f], all_)[0];
+    for (const Amplitude& amplitude : amplitudes_[f])
+      for (const Index k : all_.linear.subsystem(blade.subsystem).forces)
+        if (blade.independent.has(k)) list.push_back(amplitude.at + k - blade.independent.first);
+  }
+  return list;
 }
 
 /// Adds the forces on each hub along standing axes, and the torques between hubs and carriers.
@@ -393,6 +405,8 @@ void MultiBladeAssembly::add_support_outputs() {
   for (const LinearSignal& signal : all_.model.outputs(i)) add_output(signal);
   add_hub_rows(row, {by.by_acceleration * base, by.by_v * motion + by.by_twist * base,
                      by.by_q * motion + by.by_turn * base});
+  for (std::size_t k = 0; k < support()->forces.size(); ++k)
+    C_.add(row, support()->forces[k], by.by_forces.col(static_cast<Index>(k)));
   Index column = first_standing_;
   for (const StandingInput& input : inputs_.standing) {
     if (input.support.outputs.size() > 0) D_.add(row, column, input.support.outputs);
@@ -402,7 +416,7 @@ void MultiBladeAssembly::add_support_outputs() {
     const steady::SubsystemCoordinate& coordinate = all_.model.coordinates(i)[k];
     if (coordinate.node >= 0) continue;
     C_.add(std::ssize(result_.outputs), 0, motion.row(static_cast<Index>(k)));
-    add_output({all_.model.full_name(i, coordinate.name), coordinate.turns ? "rad" : "m"});
+    add_output({all_.model.full_name(i, coordinate.name), coordinate.unit()});
   }
 }
 
@@ -445,6 +459,7 @@ LinearSystem MultiBladeAssembly::make() {
   const std::vector<std::string>& more = all_.model.other_sensors();
   result_.left_out.insert(result_.left_out.end(), more.begin(), more.end());
   result_.left_out_inputs = std::move(inputs_.left_out);
+  steady::take_out_rates(list_forces(), result_);
   return std::move(result_);
 }
 

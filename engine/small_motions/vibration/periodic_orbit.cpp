@@ -263,6 +263,7 @@ bool is_enough(double tail, Index highest, bool is_in_air) {
 bool can_have_orbit(const Linearised& all) {
   const std::vector<int>& free = all.model.free_components();
   if (free.size() > 1 || (free.size() == 1 && free[0] != all.model.twist_size() - 1)) return false;
+  if (steady::has_forces(all.linear)) return false;
   for (std::size_t i = 0; i < all.model.subsystems(); ++i) {
     if (!all.model.closure_rows(i).empty()) return false;
     for (const steady::SubsystemCoordinate& coordinate : all.model.coordinates(i))

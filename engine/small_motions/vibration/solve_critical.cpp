@@ -15,7 +15,6 @@
 #include "engine/small_motions/steady/azimuths.h"
 #include "engine/small_motions/steady/linear_model.h"
 #include "engine/small_motions/steady/linear_support.h"
-#include "engine/small_motions/steady/relaxing_joints.h"
 #include "engine/small_motions/steady/steady_speed.h"
 #include "engine/small_motions/steady/steady_warnings.h"
 #include "engine/small_motions/vibration/choose_frame.h"
@@ -419,7 +418,6 @@ class Search {
 
 CriticalResult solve_critical(const Scenario& scenario, const CriticalOptions& options) {
   check_scenario(scenario);
-  steady::refuse_relaxation(scenario);
   check(options);
   return Search(scenario, options).run();
 }

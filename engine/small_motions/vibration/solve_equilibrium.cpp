@@ -5,7 +5,6 @@
 #include "engine/equilibrium.h"
 #include "engine/small_motions/steady/describe_equilibrium.h"
 #include "engine/small_motions/steady/linear_support.h"
-#include "engine/small_motions/steady/relaxing_joints.h"
 #include "engine/small_motions/steady/steady_speed.h"
 #include "engine/small_motions/steady/steady_warnings.h"
 #include "engine/small_motions/steady/supported_model.h"
@@ -41,7 +40,6 @@ void add_stability(const Scenario& scenario, const steady::Equilibrium& equilibr
   const ModeFrame frame =
       model.turns() ? vibration::choose_frame(scenario, std::nullopt) : ModeFrame::turning;
   try {
-    steady::refuse_relaxation(scenario);
     steady::LinearModel linear = steady::linearize_machine(equilibrium, model);
     if (linear.support && frame == ModeFrame::turning) steady::stand_on(*linear.support, linear);
     result.stability = judge(vibration::make_modes(linear, equilibrium, frame, {}, model));

@@ -6,7 +6,6 @@
 #include "engine/small_motions/steady/describe_equilibrium.h"
 #include "engine/small_motions/steady/linear_support.h"
 #include "engine/small_motions/steady/linear_system.h"
-#include "engine/small_motions/steady/relaxing_joints.h"
 #include "engine/small_motions/steady/steady_speed.h"
 #include "engine/small_motions/steady/steady_warnings.h"
 #include "engine/small_motions/steady/supported_model.h"
@@ -33,7 +32,6 @@ ModeFrame choose_frame(const Scenario& scenario, const std::vector<double>& spee
 LinearSystem solve_linear_system(const Scenario& scenario, const SteadyState& state,
                                  std::optional<ModeFrame> asked) {
   check_scenario(scenario);
-  steady::refuse_relaxation(scenario);
   const std::vector<double> speeds = steady::find_steady_speeds(scenario, state);
   const bool is_fixed = choose_frame(scenario, speeds, asked) == ModeFrame::fixed;
   const std::unique_ptr<steady::SteadyModel> model = steady::make_steady_model(

@@ -12,7 +12,6 @@
 #include "engine/small_motions/steady/friction_at_rest.h"
 #include "engine/small_motions/steady/linear_model.h"
 #include "engine/small_motions/steady/linear_support.h"
-#include "engine/small_motions/steady/relaxing_joints.h"
 #include "engine/small_motions/steady/steady_speed.h"
 #include "engine/small_motions/steady/steady_warnings.h"
 #include "engine/small_motions/steady/supported_model.h"
@@ -68,7 +67,7 @@ void add_modes_of_subsystem(std::size_t i, const ModeCount& count, const Lineari
     return vibration::calc_subsystem_shape(
         i, all.equilibrium.q[i], all.linear.motion_of(i, x, Eigen::VectorXcd()), all.model);
   };
-  const auto independent = vibration::list_independent(i, all.linear, all.model);
+  const auto independent = steady::list_independent(i, all.linear, all.model);
   std::vector<Root> roots = vibration::find_roots(pencil, count_with_partners(wanted, pencil));
   separate_equal_roots(
       pencil, [&](const Eigen::VectorXcd& x) { return list_features(shape_of(x)); }, roots);
@@ -219,7 +218,7 @@ CoupledMode make_coupled_mode(const Root& root, const Pencil& pencil, const Line
   const Eigen::VectorXcd x = part_of(most, pencil, root.x, all);
   mode.kind = of_hub > 0.5 && largest < 0.25
                   ? "hub"
-                  : kinds.name(vibration::list_independent(most, all.linear, all.model), x,
+                  : kinds.name(steady::list_independent(most, all.linear, all.model), x,
                                all.linear.subsystem(most).M, shapes[most]);
   mode.name = find_pattern(most, pencil, root.x, all);
   if (mode.kind == "hub") return made;
@@ -374,7 +373,6 @@ ModesResult solve_in(ModeFrame frame, bool is_asked, const Scenario& scenario,
 ModesResult vibration::solve_modes(const Scenario& scenario, const SteadyState& state,
                                    std::optional<ModeFrame> asked, const ModeCount& count) {
   check_scenario(scenario);
-  steady::refuse_relaxation(scenario);
   ModesResult result = solve_in(choose_frame(scenario, asked), asked.has_value(), scenario,
                                 steady::find_steady_speeds(scenario, state), count);
   note_still_air(result);

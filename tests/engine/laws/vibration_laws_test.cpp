@@ -34,7 +34,8 @@ const std::map<std::string_view, std::string_view> kWithoutModes{
      "a rotor on one that turns has matrices that change with its azimuth"},
     {"solid_blade_rotor, nodal", "dense matrices of 9072 coordinates take 20 s; it holds"},
     {"tree_of_bodies, in the wind", "wind pushes a hub that is free"},
-    {"tree_of_bodies, relaxing", "the linear model has no states of forces"},
+    {"tree_of_bodies, relaxing",
+     "runs begin with its springs relaxed, not with the forces of a mode"},
     {"vehicle", "in a steady state a free hub has no weight to load its wheels"}};
 
 /// Speeds at which models turn whose drives are torques from rest [rad/s].

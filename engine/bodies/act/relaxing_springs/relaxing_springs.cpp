@@ -79,6 +79,16 @@ void RelaxingSprings::advance(std::size_t i, double elapsed) noexcept {
   if (subsystems_[i]) evaluate(i, elapsed);
 }
 
+void RelaxingSprings::list_relaxing(std::size_t i, std::vector<RelaxingState>& list) const {
+  if (!subsystems_[i]) return;
+  const Springs& own = *subsystems_[i];
+  for (std::size_t k = 0; k < own.springs.size(); ++k) {
+    const Spring& spring = own.springs[k];
+    list.push_back({own.states, 2 * k, static_cast<int>(spring.body), spring.law.coordinate,
+                    spring.law.stiffness, spring.law.time});
+  }
+}
+
 double RelaxingSprings::coordinate_of(std::size_t i, const Spring& spring) const noexcept {
   const SubsystemData<Space>& data = data_.subsystems[i];
   const BodyData<Space>& body = data.bodies[spring.body];

@@ -25,6 +25,7 @@ class RelaxingSprings final : public Actor<Space> {
   /// The energy that springs hold is shown with that of their joints.
   void list_shown(int i, PartList& parts) const override;
   void advance(std::size_t i, double elapsed) noexcept override;
+  void list_relaxing(std::size_t i, std::vector<RelaxingState>& list) const override;
 
  private:
   struct Spring {
