@@ -163,7 +163,7 @@ void SimulationCore::require_shareable(const Loads& loads) const {
 
 void SimulationCore::step() {
   if (runner->steps() >= planned_steps) return;
-  act_between_steps();
+  act_between_steps(planned_steps);
   require_done([this] {
     return runner->advance_one([this](std::int64_t step) {
       if (stops_on_growth()) sample(step);
@@ -177,16 +177,17 @@ void SimulationCore::run_to(std::int64_t target, const StepObserver& observe) {
   const bool observed = observe || stops_on_growth();
   target = std::min(target, planned_steps);
   do {
-    act_between_steps();
-    const std::int64_t end = next_action(target);
+    const std::int64_t end = act_between_steps(target);
     require_done([&] { return runner->advance_to(end, observed, completed); });
   } while (runner->steps() < target && !runner->is_stopping());
 }
 
-/// Lets events and a controller from outside act where the simulation stands.
-void SimulationCore::act_between_steps() {
+/// Lets events and a controller from outside act where the simulation stands. Returns the step at
+/// whose end something acts next; at most `target`.
+std::int64_t SimulationCore::act_between_steps(std::int64_t target) {
   take_events();
   sample_control();
+  return next_action(target);
 }
 
 /// Returns the step at whose end something acts next; at most `target`.
@@ -221,29 +222,18 @@ void SimulationCore::sample_control() {
     put_drive(demanded.drive, 0);
 }
 
-/// Throws InputError, which refuses `what`, if a controller is called or events act between the
-/// steps of a run.
-void SimulationCore::require_nothing_between_steps(const char* what) const {
-  if (events)
-    throw InputError(std::string(what) + ": [[event]] acts between steps, expected no events");
-  if (control)
-    throw InputError(std::string(what) + ": [" +
-                     std::string(scenario.space->outer_control->table()) +
-                     "] is called between steps, expected no controller from outside");
-}
-
 StepTrace SimulationCore::trace(std::int64_t target, const StepObserver& observe,
                                 const TraceOptions& trace_options) {
   const auto completed = [this, &observe](std::int64_t step) { complete_step(step, observe); };
   const bool observed = observe || stops_on_growth();
-  require_nothing_between_steps("a trace");
   if (is_shared())
     throw InputError("a trace: several processes simulate the model together, expected one");
   StepTrace trace;
   try {
     require_done([&] {
-      return runner->advance_traced(std::min(target, planned_steps), observed, completed,
-                                    trace_options, trace);
+      return runner->advance_traced(
+          std::min(target, planned_steps), observed, completed,
+          [this](std::int64_t end) { return act_between_steps(end); }, trace_options, trace);
     });
   } catch (...) {
     if (trace_options.unfinished) trace_options.unfinished(std::move(trace));
@@ -253,17 +243,19 @@ StepTrace SimulationCore::trace(std::int64_t target, const StepObserver& observe
 }
 
 void SimulationCore::measure(std::int64_t target, graph::Executor& executor) {
-  require_nothing_between_steps("a comparison of executors");
   require_done([&] {
-    return runner->advance_by(executor, std::min(target, planned_steps), stops_on_growth(),
-                              [this](std::int64_t step) { complete_step(step, {}); });
+    return runner->advance_by(
+        executor, std::min(target, planned_steps), stops_on_growth(),
+        [this](std::int64_t step) { complete_step(step, {}); },
+        [this](std::int64_t end) { return act_between_steps(end); });
   });
 }
 
 void SimulationCore::open_window() {
   require_done([this] {
-    return runner->open_window(stops_on_growth(),
-                               [this](std::int64_t step) { complete_step(step, {}); });
+    return runner->open_window(
+        stops_on_growth(), [this](std::int64_t step) { complete_step(step, {}); },
+        [this](std::int64_t end) { return act_between_steps(end); });
   });
 }
 

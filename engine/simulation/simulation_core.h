@@ -153,12 +153,11 @@ class SimulationCore {
   void prepare(const Loads& loads);
   void begin();
   void put(std::span<const double> values, std::int64_t steps);
-  void act_between_steps();
+  std::int64_t act_between_steps(std::int64_t target);
   void take_events();
   void sample_control();
   std::int64_t next_action(std::int64_t target) const;
   void put_drive_in_force();
-  void require_nothing_between_steps(const char* what) const;
   void require_shareable(const Loads& loads) const;
   void sample(std::int64_t step);
   /// Returns the present time [s].

@@ -190,10 +190,11 @@ std::optional<StepOutcome> StepRunner::advance_choosing(std::int64_t target, boo
   return {};
 }
 
-StepOutcome StepRunner::open_window(bool observed, const TimeStepper::Completed& completed) {
+StepOutcome StepRunner::open_window(bool observed, const TimeStepper::Completed& completed,
+                                    const Between& between) {
   if (!is_automatic() || window_ || !reason_.empty()) return StepOutcome::done;
   while (!has_timed() && steps() < options_.planned_steps) {
-    const std::int64_t target = std::min(options_.planned_steps, steps() + kBatch);
+    const std::int64_t target = between(std::min(options_.planned_steps, steps() + kBatch));
     const StepOutcome outcome = advance_timed(target, observed, completed);
     if (outcome != StepOutcome::done) return outcome;
   }
@@ -209,15 +210,27 @@ StepRunner::Runner& StepRunner::runner_for(std::int64_t steps_asked) {
   return window_ && 2 * steps_asked >= window_->steps ? *window_ : single_;
 }
 
+StepOutcome StepRunner::advance_by(graph::Executor& executor, std::int64_t target, bool observed,
+                                   const TimeStepper::Completed& completed,
+                                   const Between& between) {
+  StepOutcome outcome = StepOutcome::done;
+  while (steps() < target && outcome == StepOutcome::done) {
+    outcome = stepper_.advance(between(target), executor, observed, completed);
+    if (stepper_.is_stopping()) break;
+  }
+  return outcome;
+}
+
 StepOutcome StepRunner::advance_traced(std::int64_t target, bool observed,
                                        const TimeStepper::Completed& completed,
-                                       const TraceOptions& options, StepTrace& trace) {
+                                       const Between& between, const TraceOptions& options,
+                                       StepTrace& trace) {
   trace.asked_steps = target - steps();
-  Runner& runner = runner_for(trace.asked_steps);
+  std::int64_t end = between(target);
+  Runner& runner = runner_for(end - steps());
   StepRecording recording(runner.graph, context_.table(),
                           {steps() + 1, target, most_passes(context_.integrator),
                            runner.executor->threads().total(), options.buffer_bytes});
-  const RecordingScope scope(*runner.executor, stepper_, recording, &runner == &single_);
   const auto told = [&](std::int64_t step) {
     completed(step);
     if (!options.finished || !recording.is_recorded(step)) return;
@@ -232,7 +245,14 @@ StepOutcome StepRunner::advance_traced(std::int64_t target, bool observed,
   };
   StepOutcome outcome = StepOutcome::done;
   try {
-    outcome = stepper_.advance(target, *runner.executor, observed, told);
+    for (;;) {
+      {
+        const RecordingScope scope(*runner.executor, stepper_, recording, &runner == &single_);
+        outcome = stepper_.advance(end, *runner.executor, observed, told);
+      }
+      if (outcome != StepOutcome::done || stepper_.is_stopping() || steps() >= target) break;
+      end = between(target);
+    }
   } catch (...) {
     collect();
     throw;

@@ -3,6 +3,7 @@
 // The choice of step graph and executor that run the steps.
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -46,6 +47,10 @@ int window_records(const RunnerOptions& options, double bytes_per_step);
 /// advance_one() get no window; then long steps only are planned.
 class StepRunner {
  public:
+  /// Lets what acts between steps act where the system stands, and returns the step, at most
+  /// `target`, up to which nothing else does.
+  using Between = std::function<std::int64_t(std::int64_t target)>;
+
   /// `context` must be allocated with window_records() and outlive this.
   StepRunner(StepContext& context, const RunnerOptions& options);
   ~StepRunner();
@@ -58,17 +63,17 @@ class StepRunner {
   /// Prepares the executor `automatic` on several threads without a window: makes the steps that it
   /// times first, and builds the graph of the window that it would choose for a simulation that is
   /// worth planning for; none if no step is left then. Plans nothing.
-  StepOutcome open_window(bool observed, const TimeStepper::Completed& completed);
+  StepOutcome open_window(bool observed, const TimeStepper::Completed& completed,
+                          const Between& between);
   /// Advances by an executor of the caller's that runs run_graph().
   StepOutcome advance_by(graph::Executor& executor, std::int64_t target, bool observed,
-                         const TimeStepper::Completed& completed) {
-    return stepper_.advance(target, executor, observed, completed);
-  }
+                         const TimeStepper::Completed& completed, const Between& between);
   /// Advances like advance_to(), by the present graph and executor; nothing is chosen meanwhile.
-  /// The work of each thread is recorded; also of steps before one that fails or an exception.
+  /// The work of each thread is recorded, but for what is evaluated between steps; also of steps
+  /// before one that fails or an exception.
   StepOutcome advance_traced(std::int64_t target, bool observed,
-                             const TimeStepper::Completed& completed, const TraceOptions& options,
-                             StepTrace& trace);
+                             const TimeStepper::Completed& completed, const Between& between,
+                             const TraceOptions& options, StepTrace& trace);
   std::int64_t steps() const { return stepper_.steps(); }
   /// Calls TimeStepper::stop(), while advance_to() runs.
   void stop() { stepper_.stop(); }

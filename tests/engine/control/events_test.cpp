@@ -12,6 +12,7 @@
 #include "engine/checkpoint.h"
 #include "engine/courses.h"
 #include "engine/simulation.h"
+#include "engine/simulation/node_measurement.h"
 #include "models/error.h"
 #include "models/reader/scenario_json.h"
 #include "tests/engine/control/vanes.h"
@@ -380,13 +381,30 @@ TEST_CASE("events that cannot be are refused, with their place") {
         }).ends_with("event.2.name: is \"a\" as another one, expected each name once"));
 }
 
+TEST_CASE("traces and measurements of nodes meet events as runs do, to the bit") {
+  Simulation run = tell();
+  run.run_until(1e9);
+  for (const int window : {1, 4}) {
+    Simulation traced(make_story(),
+                      {.executor = ExecutorKind::flow_graph, .threads = {2, 1}, .window = window});
+    StepTrace trace = traced.trace(traced.planned_steps() / 3);
+    const std::int64_t first = traced.steps();
+    trace.append(traced.trace(traced.planned_steps() - first));
+    CHECK(first > 0);
+    CHECK(traced.state_hash() == run.state_hash());
+    CHECK(std::ssize(trace.steps) == traced.planned_steps());
+    CHECK(traced.events().size() == run.events().size());
+  }
+  Simulation measured = tell(ExecutorKind::automatic, 2);
+  open_window(measured);
+  measure_nodes(measured, measured.planned_steps() - measured.steps());
+  CHECK(measured.state_hash() == run.state_hash());
+}
+
 TEST_CASE("what cannot go along with events says so") {
   CHECK(message_of([] {
           make_run("", event("when = \"hub.spee > 1\"\nbrake = 1.0\n"));
         }).starts_with("event.1.when: the sensor"));
-  Simulation simulation = tell();
-  CHECK(message_of([&] { simulation.trace(10); }) ==
-        "a trace: [[event]] acts between steps, expected no events");
   CHECK(message_of([] { make_run(kTurbine, "", std::make_shared<Holder>()); }) ==
         "a controller is given, but the scenario has no [control.program]");
 }

@@ -231,7 +231,7 @@ TEST_CASE("a library that fails in a run ends it as a divergence, with its messa
   CHECK(warned.steps() == 20);
 }
 
-TEST_CASE("what a library keeps is not saved, cloned or traced, and that is said") {
+TEST_CASE("what a library keeps is not saved or cloned, and that is said") {
   const TemporaryFolder folder;
   Simulation simulation(with_library(folder, "count"));
   const std::string file = std::string("control.library \"") + SPOKE_TEST_DISCON + '"';
@@ -240,6 +240,12 @@ TEST_CASE("what a library keeps is not saved, cloned or traced, and that is said
             " keeps data of its own that it does not give, expected no checkpoints");
   CHECK(message_of([&] { simulation.clone(); }) ==
         "the simulation cannot be cloned: " + file + " gives no copy of itself");
-  CHECK(message_of([&] { simulation.trace(2); }) ==
-        "a trace: [control.library] is called between steps, expected no controller from outside");
+}
+
+TEST_CASE("a trace calls a library as a run does") {
+  const TemporaryFolder folder;
+  Simulation run(with_library(folder, "count")), traced(with_library(folder, "count"));
+  run.run_until(0.1);
+  CHECK(std::ssize(traced.trace(run.steps()).steps) == run.steps());
+  CHECK(traced.state_hash() == run.state_hash());
 }
