@@ -152,7 +152,7 @@ std::string plain_text(const Parameter& parameter, double value) {
 }
 
 Overrides make_overrides(const Study& study, const std::vector<double>& values) {
-  Overrides overrides;
+  Overrides overrides = study.replaced;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const Parameter& parameter = study.parameters[i];
     if (!parameter.key.empty() && !is_left_out(parameter, values[i]))

@@ -126,6 +126,7 @@ struct Study {
   std::string scenario_text;
   Design design;
   std::string table_text;  ///< text of the design's table
+  Overrides replaced;      ///< set in all runs, before the parameters
   std::vector<Parameter> parameters;
   std::vector<Response> responses;
   std::optional<StatisticsPlan> statistics;

@@ -140,6 +140,18 @@ void read_rows(const TomlSection& root, const std::optional<LoadCases>& cases, S
               "has more rows, expected at most " + std::to_string(kMostRuns) + " runs");
 }
 
+/// Returns what takes away the scenario's own gusts and turbulence, which load cases replace.
+Overrides list_replaced(const Study& study) {
+  const TomlDocument scenario(study.scenario_text, study.scenario_file);
+  const TomlValue* wind = scenario.root().find("wind");
+  const TomlTable* table = wind == nullptr ? nullptr : wind->as_table();
+  Overrides replaced;
+  for (const char* key : {"gust", "turbulence"})
+    if (table != nullptr && table->find(key) != nullptr)
+      replaced.push_back(std::string("wind.") + key + "={}");
+  return replaced;
+}
+
 std::int64_t count_sampled(const std::vector<Parameter>& parameters) {
   std::int64_t count = 0;
   for (const Parameter& parameter : parameters)
@@ -209,6 +221,7 @@ Study read_study(const std::string& file) {
   }
   study.scenario_file = beside(file, scenario);
   study.scenario_text = read_text(study.scenario_file);
+  if (cases) study.replaced = list_replaced(study);
   if (study.design.kind == DesignKind::table) read_rows(root, cases, study);
   read_parameters(root, study.design.kind, study.parameters);
   count_runs(root, study);

@@ -48,12 +48,30 @@ WindTurbulence read_turbulence(const TomlSection& section,
 }
 
 /// Reads the gust, or an array of them.
+/// Whether a table is there and not empty: an empty one is none, so that an override can take it
+/// away.
+bool has_table(const TomlSection& section, std::string_view key, const TomlSection::Keys& known) {
+  if (!section.is_table(key)) return section.has(key);
+  const TomlSection own = section.section(key, known);
+  return std::any_of(known.begin(), known.end(),
+                     [&own](std::string_view name) { return own.has(name); });
+}
+
+TomlSection::Keys turbulence_keys() { return keys::keys_of(keys::kTurbulenceRows); }
+bool has_gust(const TomlSection& section) {
+  return has_table(section, "gust", keys::keys_of(keys::kGustRows));
+}
+bool has_turbulence_table(const TomlSection& section) {
+  return has_table(section, "turbulence", turbulence_keys());
+}
+
 void read_gusts(const TomlSection& section, std::vector<WindGust>& gusts) {
+  if (!has_gust(section)) return;
   const TomlSection::Keys known = keys::keys_of(keys::kGustRows);
   if (section.is_array("gust"))
     for (const TomlSection& gust : section.sections("gust", known))
       keys::read(gust, keys::kGustRows, &gusts.emplace_back());
-  else if (section.has("gust"))
+  else
     keys::read(section.section("gust", known), keys::kGustRows, &gusts.emplace_back());
 }
 
@@ -119,7 +137,7 @@ std::optional<double> find_diameter(const Model& model) {
 /// Reads [wind.iec] into the wind, whose direction and heights have been read.
 void read_iec(const TomlSection& section, const Model& model, Wind& wind) {
   for (const char* key : {"by", "time", "speed", "file", "gust"})
-    if (section.has(key))
+    if (std::string_view(key) == "gust" ? has_gust(section) : section.has(key))
       section.fail(key, "given along with iec, which gives the wind; expected only one of them");
   if (const air::WindFault fault =
           air::find_wind_fault(Wind{.velocity = wind.velocity, .up = wind.up}))
@@ -140,7 +158,7 @@ void read_iec(const TomlSection& section, const Model& model, Wind& wind) {
   } catch (const InputError& error) {
     section.fail_at(error.place().key, error.what());
   }
-  if (section.has("turbulence") && !wind.turbulence)
+  if (has_turbulence_table(section) && !wind.turbulence)
     section.fail("turbulence", "given along with case \"" + std::string(name_of(iec.condition)) +
                                    "\" of iec, which has none; expected none");
 }
@@ -169,9 +187,9 @@ Wind read_wind(const TomlSection& section, const std::string& folder, const Mode
   if (section.has("file")) wind.file = read_file(section, folder);
   read_gusts(section, wind.gusts);
   if (section.has("iec")) read_iec(section, model, wind);
-  if (section.has("turbulence"))
-    wind.turbulence = read_turbulence(
-        section.section("turbulence", keys::keys_of(keys::kTurbulenceRows)), wind.turbulence);
+  if (has_turbulence_table(section))
+    wind.turbulence =
+        read_turbulence(section.section("turbulence", turbulence_keys()), wind.turbulence);
   keep(section, wind);
   return wind;
 }

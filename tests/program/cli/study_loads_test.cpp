@@ -173,3 +173,78 @@ TEST_CASE("wrong load cases and statistics are refused with place, key and value
       "[statistics]\n",
       "partial_factor: is 0 in run 1, expected a number above 0");
 }
+
+TEST_CASE("load cases replace the turbulence and the gusts of the scenario") {
+  const std::string rotor = R"(
+world = "space"
+[hub.drive]
+kind = "constant"
+speed = 2.0
+[air]
+density = 1.225
+[wind]
+velocity = [8.0, 0.0, 0.0]
+up = [0.0, 0.0, 1.0]
+reference_height = 30.0
+gust = { amplitude = 3.0, start = 1.0, duration = 2.0 }
+[wind.turbulence]
+intensity = 0.4
+width = 30.0
+[blade]
+count = 2
+length = 10.0
+bodies = 1
+elements = 1
+[blade.sections]
+mass_per_length = 20.0
+axial_stiffness = 1e8
+flap_stiffness = 1e6
+lag_stiffness = 1e6
+torsion_stiffness = 1e5
+flap_inertia = 1.0
+lag_inertia = 1.0
+[support]
+from = "ground"
+[[support.body]]
+name = "tower"
+kind = "rigid"
+mass = 100.0
+inertia = 100.0
+drag = { area = [1.0, 1.0, 1.0] }
+[[support.joint]]
+child = "tower"
+kind = "fixed"
+offset = [0.0, 0.0, 30.0]
+[support.axle]
+body = "tower"
+orientation = [0.0, 1.5707963267948966, 0.0]
+[[sensor]]
+name = "wind"
+quantity = "wind"
+subsystem = "support"
+body = "hub"
+[integration]
+step = 0.01
+duration = 1.0
+)";
+  const StudyFolder folder;
+  folder.work().write("rotor.toml", rotor);
+  folder.write_study(
+      "scenario = \"rotor.toml\"\n[load_cases]\nstandard = \"IEC 61400-1\"\n"
+      "classes = [\"IIB\"]\ncut_in = 3\nrated = 11\ncut_out = 25\nspeeds = [8]\n"
+      "cases = [\"1.1\", \"4.1\"]\nseeds = 1\nduration = 1\nsettle = 0\ngust_duration = 3\n"
+      "[[load_cases.override]]\ncases = [\"1.1\"]\nset = [\"wind.turbulence.points=5\", "
+      "\"wind.turbulence.scale=none\"]\n[statistics]\nsensors = [\"support.wind.*\"]\n");
+  const Left left = folder.run({"--out", "out"});
+  // Of cases without turbulence and gusts the wind is the same at all times.
+  const std::vector<std::string> speeds = {"", "3", "11", "25"};
+  std::size_t runs = 0;
+  for (const std::string& row : lines_of(left.at("statistics.csv"))) {
+    const std::vector<std::string> cells = cells_of_line(row);
+    if (cells.at(1) != "support.wind.x") continue;
+    CHECK((cells.at(4) == "0") == (runs > 0));
+    if (runs > 0) CHECK(cells.at(5) == speeds.at(runs));
+    ++runs;
+  }
+  CHECK(runs == speeds.size());
+}
