@@ -23,6 +23,7 @@ struct Arguments {
   std::string resume;                 ///< run: checkpoint to resume from; empty: start at t = 0
   bool prints_json = false;           ///< schema: the keys as a JSON schema
   bool prints_markdown = false;       ///< schema: the keys as tables in Markdown
+  std::string key;                    ///< help: key of scenarios
   std::string html;                   ///< check: file for the model's page; empty: none
   bool replaces_other_kinds = false;  ///< --force of commands that write files
   bool anew = false;                  ///< reduce: makes all anew

@@ -93,6 +93,16 @@ void add_schema(CLI::App& command, Arguments& arguments) {
   command.footer(std::string(kSchemaText) + '\n' + kStatusText);
 }
 
+void add_help(CLI::App& command, Arguments& arguments) {
+  command
+      .add_option(
+          "KEY", arguments.key,
+          "A key as --set has it, or the end of its path: blade.joint.stiffness, gravity, stop")
+      ->required()
+      ->type_name("");
+  command.footer(std::string(kHelpText) + '\n' + kStatusText);
+}
+
 void add_trace(CLI::App& trace, Arguments& arguments) {
   add_common(trace, arguments);
   add_out(trace, arguments, "results/<name of the scenario>/trace");
@@ -119,6 +129,7 @@ std::vector<Command> make_commands() {
       {.name = "linearize", .add_options = add_linearize, .execute = linearize},
       {.name = "wind", .add_options = add_wind, .execute = write_wind},
       {.name = "schema", .add_options = add_schema, .execute = print_schema, .prints_result = true},
+      {.name = "help", .add_options = add_help, .execute = explain_key, .prints_result = true},
       {.name = "trace", .add_options = add_trace, .execute = trace},
   });
 }

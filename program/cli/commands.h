@@ -46,6 +46,9 @@ int write_wind(const Arguments& arguments);
 /// Prints the keys that scenarios may have. Throws InputError.
 int print_schema(const Arguments& arguments);
 
+/// Prints what a key of scenarios means. Throws InputError if there is none of this name.
+int explain_key(const Arguments& arguments);
+
 /// Linearises a scenario's model, prints its size and writes its matrices. Throws InputError and
 /// DivergenceError.
 int linearize(const Arguments& arguments);

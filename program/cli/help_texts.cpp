@@ -202,6 +202,15 @@ Examples:
   spoke schema --markdown
 )";
 
+const char* const kHelpText =
+    R"(Prints all keys of this name with their tables, meaning, unit, default and range, and of a table its keys.
+All of them, with examples, are in docs/scenario.md; `spoke --help` lists the commands.
+
+Examples:
+  spoke help hub.drive.speed
+  spoke help blade.joint
+)";
+
 const char* const kTraceText =
     R"(Records which thread runs which node of the step graph when, in the steps that follow --from. The
 steps are those of spoke run: same graph, same executor, same bits. Steps that are less than half a

@@ -5,25 +5,13 @@
 #include <cmath>
 #include <string>
 
+#include "models/reader/keys/key_cells.h"
 #include "models/reader/keys/tables.h"
 
 namespace spoke::keys {
 namespace {
 
 std::string reference_to(std::string_view id) { return "#/definitions/" + std::string(id); }
-
-/// Returns a text without links, as editors show it.
-std::string plain(std::string_view markdown) {
-  std::string text(markdown);
-  for (std::size_t middle = text.find("]("); middle != std::string::npos;
-       middle = text.find("](", middle)) {
-    const std::size_t begin = text.rfind('[', middle), end = text.find(')', middle);
-    text.erase(middle, end + 1 - middle);
-    text.erase(begin, 1);
-    middle = begin;
-  }
-  return text;
-}
 
 Json number_schema(const Quantity& range) {
   Json schema = {{"type", "number"}};
@@ -113,7 +101,7 @@ std::string description_of(const Property& property) {
   std::vector<std::string> texts;
   for (const Row* row : property.rows) {
     const std::string_view unit = row->unit_text.empty() ? row->range.unit : row->unit_text;
-    std::string text = plain(row->doc);
+    std::string text = without_links(row->doc);
     if (!unit.empty()) text += (text.empty() ? "[" : " [") + std::string(unit) + ']';
     if (std::find(texts.begin(), texts.end(), text) == texts.end()) texts.push_back(text);
   }

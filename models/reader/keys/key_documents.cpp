@@ -4,27 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include "models/reader/keys/key_cells.h"
 #include "models/reader/keys/tables.h"
 
 namespace spoke::keys {
 namespace {
-
-/// Returns a unit as documents write it: "kg m²".
-std::string unit_of(const Row& row) {
-  if (!row.unit_text.empty()) return std::string(row.unit_text);
-  std::string text;
-  for (std::size_t i = 0; i < row.range.unit.size(); ++i) {
-    const std::string_view rest = row.range.unit.substr(i);
-    if (rest[0] != '^') {
-      text += rest[0];
-      continue;
-    }
-    constexpr std::array kPowers{"²", "³", "⁴"};
-    text += kPowers[static_cast<std::size_t>(rest[1] - '2')];
-    ++i;
-  }
-  return text;
-}
 
 /// Returns a number as documents write it: "1e-9" without a zero before the 9.
 std::string number_text(double number) {
@@ -47,37 +31,7 @@ std::string describe_range(const Quantity& range) {
   return text;
 }
 
-std::string range_cell(const Row& row) {
-  if (!row.range_text.empty()) return std::string(row.range_text);
-  if ((row.forms & kWhole) != 0 && row.count.greatest > row.count.least)
-    return std::to_string(row.count.least) + " to " + std::to_string(row.count.greatest);
-  return describe_range(row.range);
-}
-
 std::string quoted(std::string_view word) { return "`\"" + std::string(word) + "\"`"; }
-
-std::string default_cell(const Row& row) {
-  if (!row.default_text.empty()) return std::string(row.default_text);
-  if (row.presence == Presence::required) return "required";
-  if (row.kind == Row::Kind::by_hand) return {};
-  const void* const made = row.standard();
-  switch (row.kind) {
-    case Row::Kind::number:
-      return number_text(member_of<double>(row, made));
-    case Row::Kind::count:
-      return std::to_string(member_of<int>(row, made));
-    case Row::Kind::flag:
-      return member_of<bool>(row, made) ? "true" : "false";
-    case Row::Kind::choice:
-      return quoted(row.word(row.chosen(made)));
-    case Row::Kind::vector: {
-      const double* const v = &member_of<double>(row, made);
-      return "`[" + number_text(v[0]) + ", " + number_text(v[1]) + ", " + number_text(v[2]) + "]`";
-    }
-    default:
-      return {};
-  }
-}
 
 /// Returns the rows of a table of documents, and the heading of its last column.
 Part find_part(std::string_view name, std::vector<const Row*>& rows) {
@@ -119,6 +73,64 @@ bool add_to_equal(const Cells& cells, std::vector<Cells>& lines) {
 
 }  // namespace
 
+std::string unit_of(const Row& row) {
+  if (!row.unit_text.empty()) return std::string(row.unit_text);
+  std::string text;
+  for (std::size_t i = 0; i < row.range.unit.size(); ++i) {
+    const std::string_view rest = row.range.unit.substr(i);
+    if (rest[0] != '^') {
+      text += rest[0];
+      continue;
+    }
+    constexpr std::array kPowers{"²", "³", "⁴"};
+    text += kPowers[static_cast<std::size_t>(rest[1] - '2')];
+    ++i;
+  }
+  return text;
+}
+
+std::string range_text_of(const Row& row) {
+  if (!row.range_text.empty()) return std::string(row.range_text);
+  if ((row.forms & kWhole) != 0 && row.count.greatest > row.count.least)
+    return std::to_string(row.count.least) + " to " + std::to_string(row.count.greatest);
+  return describe_range(row.range);
+}
+
+std::string default_text_of(const Row& row) {
+  if (!row.default_text.empty()) return std::string(row.default_text);
+  if (row.presence == Presence::required) return "required";
+  if (row.kind == Row::Kind::by_hand) return {};
+  const void* const made = row.standard();
+  switch (row.kind) {
+    case Row::Kind::number:
+      return number_text(member_of<double>(row, made));
+    case Row::Kind::count:
+      return std::to_string(member_of<int>(row, made));
+    case Row::Kind::flag:
+      return member_of<bool>(row, made) ? "true" : "false";
+    case Row::Kind::choice:
+      return quoted(row.word(row.chosen(made)));
+    case Row::Kind::vector: {
+      const double* const v = &member_of<double>(row, made);
+      return "`[" + number_text(v[0]) + ", " + number_text(v[1]) + ", " + number_text(v[2]) + "]`";
+    }
+    default:
+      return {};
+  }
+}
+
+std::string without_links(std::string_view markdown) {
+  std::string text(markdown);
+  for (std::size_t middle = text.find("]("); middle != std::string::npos;
+       middle = text.find("](", middle)) {
+    const std::size_t begin = text.rfind('[', middle), end = text.find(')', middle);
+    text.erase(middle, end + 1 - middle);
+    text.erase(begin, 1);
+    middle = begin;
+  }
+  return text;
+}
+
 std::vector<std::string_view> document_names() {
   std::vector<std::string_view> names;
   for (const Table& table : tables())
@@ -138,8 +150,8 @@ std::string to_markdown(std::string_view name) {
     const Cells cells{'`' + std::string(row->key) + '`',
                       std::string(row->doc),
                       unit_of(*row),
-                      default_cell(*row),
-                      range_cell(*row),
+                      default_text_of(*row),
+                      range_text_of(*row),
                       std::string(row->more)};
     if (!add_to_equal(cells, lines)) lines.push_back(cells);
     for (std::size_t i = 0; i < is_shown.size(); ++i)

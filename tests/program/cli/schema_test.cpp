@@ -32,3 +32,15 @@ TEST_CASE("spoke schema wants one form") {
   check_refused({"schema"}, "no form is given, expected --json or --markdown");
   check_refused({"schema", "--json", "--markdown"}, "--json");
 }
+
+TEST_CASE("spoke help explains a key, and names the nearest of one that is none") {
+  const WorkFolder folder;
+  const Ended ended = run_spoke({"help", "air.density"}, folder);
+  CHECK(ended.status == 0);
+  CHECK(
+      ended.out ==
+      "density of [air]\n  of the air\n  unit     kg/m³\n  default  1.225\n  range    greater than "
+      "0\n");
+  check_refused({"help", "air.densty"},
+                "scenarios have no key \"air.densty\", did you mean \"density\"?");
+}
