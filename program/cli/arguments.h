@@ -17,12 +17,13 @@ namespace spoke::cli {
 
 /// Values of the options on the command line.
 struct Arguments {
-  std::string scenario;  ///< scenario file
+  std::string scenario;  ///< scenario file; new: its name
   Overrides overrides;
   std::string out;                    ///< folder of the results; empty: named after the scenario
   std::string resume;                 ///< run: checkpoint to resume from; empty: start at t = 0
   bool prints_json = false;           ///< schema: the keys as a JSON schema
   bool prints_markdown = false;       ///< schema: the keys as tables in Markdown
+  std::string kind;                   ///< new: kind of scenario
   std::string key;                    ///< help: key of scenarios
   std::string html;                   ///< check: file for the model's page; empty: none
   bool replaces_other_kinds = false;  ///< --force of commands that write files

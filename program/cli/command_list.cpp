@@ -37,6 +37,7 @@ std::vector<Command> list_commands(const std::vector<Command>& own) {
       {.name = "schema",
        .program = kWhole,
        .summary = "Print the keys of scenarios, for editors or as tables"},
+      {.name = "new", .program = kWhole, .summary = "Write a commented scenario to begin with"},
       {.name = "help",
        .program = kWhole,
        .summary = "Explain a key of scenarios: meaning, unit, default, range"},

@@ -93,6 +93,16 @@ void add_schema(CLI::App& command, Arguments& arguments) {
   command.footer(std::string(kSchemaText) + '\n' + kStatusText);
 }
 
+void add_new(CLI::App& command, Arguments& arguments) {
+  command.add_option("KIND", arguments.kind, "rotor, turbine, helicopter, mechanism or part")
+      ->required()
+      ->type_name("");
+  command.add_option("NAME", arguments.scenario, "Name of the scenario: NAME.toml is written")
+      ->required()
+      ->type_name("");
+  command.footer(std::string(kNewText) + '\n' + kStatusText);
+}
+
 void add_help(CLI::App& command, Arguments& arguments) {
   command
       .add_option(
@@ -129,6 +139,7 @@ std::vector<Command> make_commands() {
       {.name = "linearize", .add_options = add_linearize, .execute = linearize},
       {.name = "wind", .add_options = add_wind, .execute = write_wind},
       {.name = "schema", .add_options = add_schema, .execute = print_schema, .prints_result = true},
+      {.name = "new", .add_options = add_new, .execute = write_new},
       {.name = "help", .add_options = add_help, .execute = explain_key, .prints_result = true},
       {.name = "trace", .add_options = add_trace, .execute = trace},
   });

@@ -46,6 +46,9 @@ int write_wind(const Arguments& arguments);
 /// Prints the keys that scenarios may have. Throws InputError.
 int print_schema(const Arguments& arguments);
 
+/// Writes a commented scenario to begin with. Throws InputError, and OutputError.
+int write_new(const Arguments& arguments);
+
 /// Prints what a key of scenarios means. Throws InputError if there is none of this name.
 int explain_key(const Arguments& arguments);
 

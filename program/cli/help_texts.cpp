@@ -202,6 +202,20 @@ Examples:
   spoke schema --markdown
 )";
 
+const char* const kNewText =
+    R"(Writes NAME.toml, a small scenario with a comment on each line, which runs as it is:
+  rotor       three elastic blades on a hub
+  turbine     a wind turbine on its tower, in the wind
+  helicopter  a rotor with hinges and pitch, in hover
+  mechanism   a slider-crank with an elastic rod
+  part        a solid from a mesh, NAME.inp
+A file that is there already is left as it is.
+
+Examples:
+  spoke new turbine mine
+  spoke run mine.toml
+)";
+
 const char* const kHelpText =
     R"(Prints all keys of this name with their tables, meaning, unit, default and range, and of a table its keys.
 All of them, with examples, are in docs/scenario.md; `spoke --help` lists the commands.
@@ -237,6 +251,8 @@ const char* const kProgramText = R"(Examples:
   spoke campbell models/nrel_5mw_rotor.toml --speeds 0:2:0.1
   spoke critical models/nrel_5mw_rotor.toml --of speed --from 0 --to 4
   spoke performance models/nrel_5mw_in_wind.toml --wind 3:25:1
+  spoke new turbine mine
+  spoke help hub.drive.speed
   spoke import blade_BeamDyn.dat --out blade.toml
   spoke export beamdyn models/nrel_5mw_rotor.toml --out nrel_5mw_BeamDyn.dat
   spoke fmu models/wu_haug_rotor.toml --out rotor.fmu

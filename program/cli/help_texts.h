@@ -20,6 +20,7 @@ extern const char* const kPerformanceText;
 extern const char* const kLinearizeText;
 extern const char* const kWindText;
 extern const char* const kSchemaText;
+extern const char* const kNewText;
 extern const char* const kHelpText;
 extern const char* const kTraceText;
 extern const char* const kProgramText;
