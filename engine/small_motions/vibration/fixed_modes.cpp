@@ -10,8 +10,7 @@
 #include "engine/small_motions/steady/supported_model.h"
 #include "engine/small_motions/vibration/eigenvalues.h"
 #include "engine/small_motions/vibration/multi_blade.h"
-#include "engine/small_motions/vibration/shaft_names.h"
-#include "engine/small_motions/vibration/shaft_turn.h"
+#include "engine/small_motions/vibration/pattern_motion.h"
 #include "engine/small_motions/vibration/support_names.h"
 #include "models/error.h"
 
@@ -25,112 +24,10 @@ using Complex = std::complex<double>;
 
 constexpr Complex kI(0.0, 1.0);
 
-/// A rotor in the frame that stands, and what it was made from.
-struct Fixed {
-  const Linearised& all;
-  const FixedFrame& frame;
-
-  const BladeFamily& family_of(std::size_t pattern) const {
-    return frame.families[frame.patterns[pattern].family];
-  }
-  double speed(std::size_t pattern) const { return family_of(pattern).speed; }
-  std::size_t first_of(std::size_t pattern) const { return family_of(pattern).blades[0]; }
-  bool is_shaft(std::size_t pattern) const { return family_of(pattern).is_shaft(); }
-  /// Returns the motion of the first blade of a pattern that has these coordinates y.
-  SubsystemShape shape_of(std::size_t pattern, const VectorXcd& y, const VectorXcd& hub) const {
-    const std::size_t i = first_of(pattern);
-    const VectorXcd own = family_of(pattern).put_first(y);
-    return calc_subsystem_shape(i, all.equilibrium.q[i], all.linear.motion_of(i, own, hub),
-                                all.model);
-  }
-  /// Returns the mass matrix of the first blade of a pattern.
-  Eigen::MatrixXd mass_of(std::size_t pattern) const {
-    return family_of(pattern).take_first(all.linear.subsystem(first_of(pattern)).M);
-  }
-};
-
-/// Returns the independent coordinates of the first blade of a pattern.
-std::vector<steady::SubsystemCoordinate> list_of_blade(std::size_t pattern, const Fixed& fixed) {
-  std::vector<steady::SubsystemCoordinate> all =
-      list_independent(fixed.first_of(pattern), fixed.all.linear, fixed.all.model);
-  const BladeRing& ring = fixed.family_of(pattern).ring;
-  if (!ring.is_tied) return all;
-  const auto first = all.begin() + ring.starts[0];
-  return {first, first + ring.size};
-}
-
-/// The motion of a pattern in a mode: that of a blade, y exp(i (w t + n psi_b)) as it turns along.
-struct PatternMotion {
-  VectorXcd y;                ///< coordinates of a blade
-  double mass = 0.0;          ///< of the whole pattern: x^H M x
-  double rate = 0.0;          ///< w, not negative: the blade's own frequency [rad/s]
-  int sense = 0;              ///< n by its magnitude; 0: all alike, next ones opposite, or standing
-  bool is_conjugate = false;  ///< w is that of the conjugate motion
-  std::string name;
-};
-
-/// Names a pattern that goes round, or at rest may stand. Of n > 0 the pattern moves against the
-/// rotation in the blades' frame, which takes n times the speed from its frequency.
-std::string name_round(const PatternMotion& motion, int multiple, double speed, bool is_cosine) {
-  const std::string order = multiple > 1 ? " order " + std::to_string(multiple) : "";
-  if (motion.sense == 0) return (is_cosine ? "cosine" : "sine") + order;
-  const bool is_regressive = (motion.sense > 0) == (speed >= 0.0);
-  return (is_regressive ? "regressive" : "progressive") + order;
-}
-
-/// Returns the motion of a pattern that has a cosine and a sine part: of its two senses that with
-/// more mass.
-PatternMotion describe_pair(const VectorXcd& cosine, const VectorXcd& sine, double frequency,
-                            int multiple, double speed, const Eigen::MatrixXd& M) {
-  constexpr double kStanding = 0.8;  // least ratio of the amplitudes of both senses
-  const VectorXcd plus = (cosine - kI * sine) / std::sqrt(2.0);
-  const VectorXcd minus = (cosine + kI * sine) / std::sqrt(2.0);
-  const double of_plus = calc_mass(plus, M), of_minus = calc_mass(minus, M);
-  PatternMotion motion;
-  motion.mass = of_plus + of_minus;
-  const double ratio = std::min(of_plus, of_minus) / std::max(of_plus, of_minus);
-  const bool is_cosine = calc_mass(cosine, M) >= calc_mass(sine, M);
-  if (speed == 0.0 && ratio > kStanding * kStanding) {
-    motion.y = is_cosine ? cosine : sine;
-    motion.rate = frequency;
-  } else {
-    motion.sense = of_plus > of_minus ? 1 : -1;
-    motion.y = motion.sense > 0 ? plus : minus;
-    const double rate = frequency + motion.sense * multiple * speed;
-    motion.is_conjugate = rate < 0.0;
-    motion.rate = std::abs(rate);
-    if (motion.is_conjugate) {
-      motion.y = motion.y.conjugate().eval();
-      motion.sense = -motion.sense;
-    }
-  }
-  motion.name = name_round(motion, multiple, speed, is_cosine);
-  return motion;
-}
-
-PatternMotion describe_pattern(std::size_t k, const Root& root, const Fixed& fixed) {
-  const BladePattern& pattern = fixed.frame.patterns[k];
-  const Eigen::MatrixXd M = fixed.mass_of(k);
-  const VectorXcd first = root.x.segment(fixed.frame.start(k), pattern.size);
-  const double frequency = std::abs(root.s.imag());
-  if (pattern.is_pair)
-    return describe_pair(first, root.x.segment(fixed.frame.start(k) + pattern.size, pattern.size),
-                         frequency, pattern.multiple, fixed.speed(k), M);
-  if (fixed.is_shaft(k)) {
-    const VectorXcd z = root.s.imag() < 0.0 ? VectorXcd(first.conjugate()) : first;
-    const SubsystemShape shape = fixed.shape_of(k, z, VectorXcd::Zero(fixed.frame.model.M.rows()));
-    return {z, calc_mass(z, M), frequency, 0, false, describe_shaft(shape, fixed.speed(k)).sense};
-  }
-  return {first,     calc_mass(first, M),
-          frequency, 0,
-          false,     pattern.is_differential ? "differential" : "collective"};
-}
-
 /// Returns flap, lag, torsion and axial motion of all patterns, by which modes of equal roots are
 /// told apart; then motion that is alike, and the senses of patterns that go round.
-Features list_features(const VectorXcd& x, const Fixed& fixed) {
+Features list_features(const VectorXcd& x, const SeenFromOutside& fixed) {
   Features kinds(4), patterns;
-  const VectorXcd hub = x.head(fixed.frame.model.M.rows());
   const auto append = [](const VectorXcd& more, VectorXcd& list) {
     list.conservativeResize(list.size() + more.size());
     list.tail(more.size()) = more;
@@ -138,14 +35,13 @@ Features list_features(const VectorXcd& x, const Fixed& fixed) {
   for (std::size_t k = 0; k < fixed.frame.patterns.size(); ++k) {
     const BladePattern& pattern = fixed.frame.patterns[k];
     const Index at = fixed.frame.start(k), n = pattern.size;
-    const VectorXcd zero = VectorXcd::Zero(hub.size());
     std::vector<VectorXcd> parts = {x.segment(at, n)};
     if (pattern.is_pair) {
       const VectorXcd cosine = parts[0], sine = x.segment(at + n, n);
       parts = {(cosine + kI * sine) / std::sqrt(2.0), (cosine - kI * sine) / std::sqrt(2.0)};
     }
     for (const VectorXcd& part : parts) {
-      const Features own = vibration::list_features(fixed.shape_of(k, part, zero));
+      const Features own = vibration::list_features(fixed.shape_of(k, part));
       VectorXcd& pattern_motion = patterns.emplace_back();
       for (std::size_t kind = 0; kind < 4; ++kind) {
         append(own[kind], kinds[kind]);
@@ -170,7 +66,8 @@ struct Unnumbered {
   std::string rotors;  ///< that move, of several: "tail: ", "front + rear: "
 };
 
-Unnumbered describe(const Root& root, const Fixed& fixed, std::map<std::string, KindNames>& kinds) {
+Unnumbered describe(const Root& root, const SeenFromOutside& fixed,
+                    std::map<std::string, KindNames>& kinds) {
   constexpr double kAlike = 1e-6;
   Unnumbered found;
   const VectorXcd hub = root.x.head(fixed.frame.model.M.rows());
@@ -200,14 +97,8 @@ Unnumbered describe(const Root& root, const Fixed& fixed, std::map<std::string, 
   }
   if (const steady::SupportedModel* machine = fixed.all.model.on_support())
     found.rotors = machine->name_rotors(masses);
-  const SubsystemShape shape =
-      fixed.shape_of(found.pattern, found.motion.y, VectorXcd::Zero(hub.size()));
-  if (fixed.is_shaft(found.pattern)) {
-    found.kind = describe_shaft(shape, fixed.speed(found.pattern)).kind;
-    return found;
-  }
-  found.kind = kinds[found.rotors + found.motion.name].name(
-      list_of_blade(found.pattern, fixed), found.motion.y, fixed.mass_of(found.pattern), shape);
+  found.kind =
+      name_kind(found.pattern, found.motion, fixed, kinds[found.rotors + found.motion.name]);
   return found;
 }
 
@@ -261,7 +152,7 @@ std::vector<Root> find_enough(Index wanted, Index size, const FixedFrame& frame)
 }
 
 /// Returns the mode with its shape, as blades move where they stand at t = 0.
-Mode make_fixed_mode(const Root& root, const Unnumbered& found, const Fixed& fixed) {
+Mode make_fixed_mode(const Root& root, const Unnumbered& found, const SeenFromOutside& fixed) {
   Mode mode = make_mode(root);
   mode.coordinates = found.motion.is_conjugate ? VectorXcd(root.x.conjugate()) : root.x;
   mode.kind = found.own_kind;
@@ -299,7 +190,7 @@ bool goes_on(const Root& root) {
 
 void add_fixed_modes(const ModeCount& count, const Linearised& all, ModesResult& result) {
   const FixedFrame frame = see_from_outside(all);
-  const Fixed fixed{all, frame};
+  const SeenFromOutside fixed{all, frame};
   const Index size = frame.start(frame.patterns.size());
   if (size == 0)
     throw InputError("nothing of the model moves, expected a body or a joint that does");

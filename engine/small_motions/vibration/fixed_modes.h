@@ -11,6 +11,10 @@ namespace spoke::vibration {
 /// if they have one. Throws like make_fixed_frame().
 FixedFrame see_from_outside(const Linearised& all);
 
+/// Takes one of the rotors on a support there, without the support. Throws like
+/// make_fixed_frame().
+FixedFrame see_rotor_from_outside(std::size_t rotor, const Linearised& all);
+
 /// Whether a rotor on a support is alike in all directions, so that see_from_outside() takes it.
 bool is_even(std::size_t rotor, const Linearised& all);
 

@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <string>
 #include <utility>
 
-#include "engine/small_motions/steady/azimuths.h"
-#include "engine/small_motions/steady/supported_model.h"
 #include "engine/small_motions/vibration/floquet.h"
+#include "engine/small_motions/vibration/periodic_frame.h"
 #include "engine/small_motions/vibration/periodic_orbit.h"
 #include "engine/small_motions/vibration/support_names.h"
 #include "models/error.h"
@@ -22,13 +20,14 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXcd;
 
-/// A rotor's periodic system, and what it was made from.
+/// A model's periodic system, and what it was made from.
 struct Periodically {
   const Linearised& all;
+  const PeriodicFrame& frame;
   const PeriodicSystem& system;
 
   VectorXcd part_of(std::size_t i, const VectorXcd& x) const {
-    return x.segment(system.starts[i], all.linear.subsystem(i).M.rows());
+    return frame.motion_of(i, x, system);
   }
 };
 
@@ -75,7 +74,35 @@ std::string find_pattern(std::size_t i, const VectorXcd& x, const Periodically& 
 struct UnnumberedMode {
   Mode mode;
   std::string rotors{};  ///< before its name
+  double rate = 0.0;  ///< at which what moves most vibrates where its forces are constant [rad/s]
 };
+
+/// Names kind and pattern of a mode `x` in which subsystem `most` moves most, as seen from its hub.
+void name_turning(std::size_t most, const VectorXcd& x, const SubsystemShape& shape,
+                  const Periodically& rotor, KindNames& kinds, UnnumberedMode& made) {
+  const Linearised& all = rotor.all;
+  made.mode.kind = kinds.name(list_independent(most, all.linear, all.model), rotor.part_of(most, x),
+                              all.linear.subsystem(most).M, shape);
+  if (rotor.system.hub > 0) made.mode.name = find_pattern(most, x, rotor);
+}
+
+/// The same of a rotor that is seen from outside.
+void name_outside(std::size_t most, const VectorXcd& x, const Periodically& rotor, KindNames& kinds,
+                  UnnumberedMode& made) {
+  const SeenFromOutside outside = rotor.frame.outside();
+  const Root root{made.mode.eigenvalue, rotor.frame.motion_outside(x, rotor.system)};
+  std::size_t largest = 0;
+  PatternMotion motion;
+  for (const std::size_t pattern : rotor.frame.patterns_of(most)) {
+    PatternMotion own = describe_pattern(pattern, root, outside);
+    if (own.mass <= motion.mass) continue;
+    motion = std::move(own);
+    largest = pattern;
+  }
+  made.mode.kind = name_kind(largest, motion, outside, kinds);
+  made.mode.name = motion.name;
+  made.rate = motion.rate;
+}
 
 /// Returns a mode by its strongest harmonic, its name without a number: kind and pattern. `kinds`:
 /// by whose modes they are.
@@ -87,6 +114,7 @@ UnnumberedMode make_periodic_mode(const PeriodicMode& periodic, const Periodical
   const VectorXcd hub = x.head(rotor.system.hub);
   UnnumberedMode made{make_mode({is_rigid(periodic, rotor.system.speed) ? 0.0 : periodic.s, {}})};
   Mode& mode = made.mode;
+  made.rate = mode.frequency;
   mode.coordinates = x;
   mode.harmonics = list_harmonics(periodic, rotor.system);
   set_hub_motion(hub, all, mode);
@@ -122,81 +150,28 @@ UnnumberedMode make_periodic_mode(const PeriodicMode& periodic, const Periodical
     return made;
   }
   made.rotors = name_rotors(motions, all.model);
-  mode.kind = kinds[made.rotors + mode.of].name(list_independent(most, all.linear, all.model),
-                                                rotor.part_of(most, x),
-                                                all.linear.subsystem(most).M, largest);
-  if (hub.size() > 0) mode.name = find_pattern(most, x, rotor);
+  KindNames& own_kinds = kinds[made.rotors + mode.of];
+  if (rotor.frame.is_outside(most))
+    name_outside(most, x, rotor, own_kinds, made);
+  else
+    name_turning(most, x, largest, rotor, own_kinds, made);
   return made;
-}
-
-/// Takes a rotor to standing axes at the hub. What springs do that its hub turns against, which
-/// meet the axes of the hub twice, is of second degree, beside turning the hub's own coordinates
-/// and equations.
-PeriodicSystem make_periodic_of(const Linearised& all, const StandingAxes& axes) {
-  constexpr int kParts = 9;
-  PeriodicSystem system = make_periodic(all.linear, axes);
-  if (!steady::depends_on_azimuth(all.model)) return system;
-  std::vector<Eigen::MatrixXd> M, C, K;
-  for (int k = 0; k < kParts; ++k) {
-    const double psi = 2.0 * std::numbers::pi * k / kParts;
-    const PeriodicSystem there =
-        make_periodic(steady::linearize_at(psi, all.equilibrium, all.model), axes);
-    M.push_back(there.M.at(psi));
-    C.push_back(there.C.at(psi));
-    K.push_back(there.K.at(psi));
-  }
-  system.M = interpolate(M);
-  system.C = interpolate(C);
-  system.K = interpolate(K);
-  return system;
-}
-
-/// Returns the standing axes of all hubs, by the azimuth of the first one that turns: the others
-/// are as fast as it, or turn against it, or stand.
-StandingAxes make_axes(const steady::SteadyModel& model) {
-  const std::vector<int>& components = model.free_components();
-  const steady::SupportedModel* machine = model.on_support();
-  if (!machine || machine->rotors() == 1)
-    return make_standing_axes(components, model.is_spatial(), model.speed());
-  const Index count = 6 * static_cast<Index>(machine->rotors());
-  const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(count, count);
-  StandingAxes all{{zero, zero, zero}, zero};
-  for (std::size_t r = 0; r < machine->rotors(); ++r) {
-    const Index at = 6 * static_cast<Index>(r);
-    const double speed = machine->parts(r).speed;
-    const StandingAxes own = make_standing_axes(components, true, speed);
-    if (all.speed == 0.0) all.speed = speed;
-    const double sense = (speed > 0.0) == (all.speed > 0.0) ? 1.0 : -1.0;
-    all.W.block<6, 6>(at, at) = own.W;
-    all.T.mean.block<6, 6>(at, at) = speed == 0.0 ? own.T.at(0.0) : own.T.mean;
-    if (speed == 0.0) continue;
-    all.T.cosine.block<6, 6>(at, at) = own.T.cosine;
-    all.T.sine.block<6, 6>(at, at) = sense * own.T.sine;
-  }
-  return all;
 }
 
 }  // namespace
 
 void add_floquet_modes(const ModeCount& count, const Linearised& all, steady::SteadyModel* whole,
                        ModesResult& result) {
-  const StandingAxes axes = make_axes(all.model);
-  PeriodicSystem system = make_periodic_of(all, axes);
-  if (const auto& support = all.linear.support)
-    system = stand_on(system, support->J, {support->M, support->C, support->K});
+  const PeriodicFrame frame(all);
+  PeriodicSystem system = frame.make_system();
   if (system.size() == 0)
     throw InputError("nothing of the model moves, expected a body or a joint that does");
-  if (const steady::SupportedModel* machine = all.model.on_support();
-      !machine || machine->rotors() == 1) {
-    system.alike = all.linear.alike;
-    system.azimuths = all.model.azimuths();
-  }
   const Index wanted = find_count(count, system.size(), "the model", result);
   require_periodic(system);
   if (whole && can_have_orbit(all))
     if (const auto orbit = find_periodic_orbit(all, system, *whole))
       system = linearise_along(*orbit, all, system, *whole);
-  const Periodically rotor{all, system};
+  const Periodically rotor{all, frame, system};
   std::map<std::string, int> numbers;
   std::map<std::string, KindNames> kinds;
   int standing = 0;
@@ -204,9 +179,9 @@ void add_floquet_modes(const ModeCount& count, const Linearised& all, steady::St
     // Two multipliers of one belong to each motion that goes on.
     if (is_rigid(periodic, system.speed) && ++standing % 2 == 0) continue;
     if (std::ssize(result.modes) == wanted) break;
-    auto [mode, rotors] = make_periodic_mode(periodic, rotor, kinds);
+    auto [mode, rotors, rate] = make_periodic_mode(periodic, rotor, kinds);
     const std::string pattern = mode.kind == "hub" || mode.name.empty() ? "" : ' ' + mode.name;
-    mode.kind = kind_with_damping(mode.kind, mode.eigenvalue, mode.frequency);
+    mode.kind = kind_with_damping(mode.kind, mode.eigenvalue, rate);
     const std::string kind = mode.eigenvalue == 0.0 ? "rigid motion" : mode.kind;
     const std::string after = mode.eigenvalue == 0.0 ? "" : pattern;
     const int number = ++numbers[mode.of + rotors + kind + after];

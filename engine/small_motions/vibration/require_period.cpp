@@ -15,11 +15,11 @@
 namespace spoke::vibration {
 namespace {
 
-/// Returns the numbers of the rotors that have no constant matrices as seen from outside.
+/// Returns the numbers of the rotors that turn and have no constant matrices as seen from outside.
 std::vector<std::size_t> list_uneven(const steady::SupportedModel& machine, const Linearised& all) {
   std::vector<std::size_t> uneven;
   for (std::size_t r = 0; r < machine.rotors(); ++r)
-    if (!is_even(r, all)) uneven.push_back(r);
+    if (machine.parts(r).speed != 0.0 && !is_even(r, all)) uneven.push_back(r);
   return uneven;
 }
 
@@ -36,13 +36,19 @@ bool have_one_speed(const std::vector<std::size_t>& rotors, const steady::Suppor
 
 }  // namespace
 
-void require_period(const Linearised& all, const std::string& before) {
+std::vector<bool> require_period(const Linearised& all, const std::string& before) {
   const steady::SupportedModel* machine = all.model.on_support();
-  if (!machine) return;
+  if (!machine) return {};
+  std::vector<bool> is_outside(machine->rotors(), false);
   std::vector<std::size_t> rotors(machine->rotors());
   std::iota(rotors.begin(), rotors.end(), std::size_t{0});
-  if (have_one_speed(rotors, *machine)) return;
+  if (have_one_speed(rotors, *machine)) return is_outside;
   const std::vector<std::size_t> uneven = list_uneven(*machine, all);
+  if (!uneven.empty() && have_one_speed(uneven, *machine)) {
+    for (const std::size_t r : rotors)
+      is_outside[r] = !have_one_speed({uneven.front(), r}, *machine);
+    return is_outside;
+  }
   std::ostringstream text;
   text << before << "the frame \"floquet\" expects rotors that are equally fast";
   if (uneven.empty()) {
@@ -54,11 +60,8 @@ void require_period(const Linearised& all, const std::string& before) {
     text << (k == 0 ? ", of which " : ", ") << '"' << rotor.name << "\" (" << rotor.speed
          << " rad/s)";
   }
-  text << (uneven.size() == 1 ? " is" : " are") << " not alike in all directions: "
-       << (have_one_speed(uneven, *machine)
-               ? "their period among other rotors is not built"
-               : "speeds that differ have no common period, so that there are no modes")
-       << "; runs have them";
+  text << " are not alike in all directions: speeds that differ have no common period, so that "
+          "there are no modes; runs have them";
   throw InputError(text.str());
 }
 

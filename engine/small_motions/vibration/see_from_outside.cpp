@@ -87,13 +87,17 @@ FixedFrame see_rotors(const steady::SupportedModel& machine, const Linearised& a
 
 }  // namespace
 
-bool is_even(std::size_t rotor, const Linearised& all) {
+FixedFrame see_rotor_from_outside(std::size_t rotor, const Linearised& all) {
   std::vector<Eigen::MatrixXd> turns = find_turns(all);
   for (std::size_t i = 0; i < turns.size(); ++i)
     if (all.model.stands(i) || all.model.on_support()->rotor_of(i) != rotor) turns[i].resize(0, 0);
+  require_round(turns, all);
+  return see_rotor(rotor, all, turns, find_rings(all));
+}
+
+bool is_even(std::size_t rotor, const Linearised& all) {
   try {
-    require_round(turns, all);
-    see_rotor(rotor, all, turns, find_rings(all));
+    see_rotor_from_outside(rotor, all);
     return true;
   } catch (const InputError&) {
     return false;

@@ -359,8 +359,6 @@ ModesResult solve_in(ModeFrame frame, bool is_asked, const Scenario& scenario,
           "support the frames \"fixed\" and \"floquet\" have modes");
     steady::stand_on(*linear.support, linear);
   }
-  if (frame == ModeFrame::floquet)
-    vibration::require_period({*model, equilibrium, linear}, std::string());
   std::unique_ptr<SteadyModel> whole;
   // Along a motion friction is none of the dampers that it is about rest.
   if (frame == ModeFrame::floquet && !linear.support && !steady::has_friction(scenario))
