@@ -265,7 +265,8 @@ bool can_have_orbit(const Linearised& all) {
   if (free.size() > 1 || (free.size() == 1 && free[0] != all.model.twist_size() - 1)) return false;
   if (steady::has_forces(all.linear)) return false;
   for (std::size_t i = 0; i < all.model.subsystems(); ++i) {
-    if (!all.model.closure_rows(i).empty()) return false;
+    for (const steady::ClosureRow& row : all.model.closure_rows(i))
+      if (row.is_rigid() || row.is_dropped) return false;
     for (const steady::SubsystemCoordinate& coordinate : all.model.coordinates(i))
       if (coordinate.is_spherical) return false;
   }

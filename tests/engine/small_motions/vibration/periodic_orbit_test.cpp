@@ -193,6 +193,26 @@ TEST_CASE("periodic orbit: a load of constant direction acts as gravity does") {
   CHECK(std::abs(falling.modes[0].eigenvalue - pulled.modes[0].eigenvalue) < 1e-9);
 }
 
+TEST_CASE("periodic orbit: springs in a loop act as those of the joint do") {
+  // About the hinge's axis a closure opens by the angle of the hinge; nothing else opens it.
+  const Pendulum blade;
+  Pendulum loose = blade;
+  loose.stiffness = loose.damping = 0.0;
+  const std::string loop =
+      "[[subsystem.loop]]\nname = \"spring\"\nkind = \"fixed\"\n"
+      "from = { body = \"bar\" }\nto = { body = \"hub\", point = [" +
+      text_of(blade.offset) + ", 0.0, 0.0] }\nstiffness = [1e3, 1e3, 1e3, 1e3, 1e3, " +
+      text_of(blade.stiffness) + "]\ndamping = [0.0, 0.0, 0.0, 0.0, 0.0, " +
+      text_of(blade.damping) + "]\n";
+  for (const double speed : {6.0, -8.0}) {
+    const ModesResult found =
+        solve(make_scenario(loose, constant(speed), down(blade.gravity), loop), speed);
+    REQUIRE(found.modes.size() == 1);
+    CHECK(found.modes[0].harmonics.size() > 1);
+    CHECK(distance(found.modes[0], solve_driven(blade, speed), speed) < 1e-8);
+  }
+}
+
 TEST_CASE("periodic orbit: gravity along the axis, or none, leaves constant matrices") {
   const Pendulum blade;
   for (const std::string gravity : {"[0.0, 0.0, 0.0]", "[0.0, 0.0, -9.81]"}) {
