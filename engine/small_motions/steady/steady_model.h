@@ -33,8 +33,9 @@ struct SubsystemCoordinate {
   int node = -1;       ///< of the body; -1: it is of the joint that carries the body
   bool turns = false;  ///< true: an angle [rad]; false: a length [m]
   double scale = 1.0;  ///< a large value of it [rad, m]
-  /// Whether it is of a rotation vector, whose rate is not its velocity.
-  bool is_spherical = false;
+  /// Of a rotation vector theta, whose rate is not its velocity H(sense theta) theta': 1 where that
+  /// is along axes of the parent, -1 along those of the child; 0: it is of none.
+  int sense = 0;
   /// Whether it is no motion, but the force of a ForceState on one [N m, N].
   bool is_force = false;
 

@@ -113,10 +113,11 @@ std::vector<SubsystemCoordinate> name_coordinates(const TreeBody<Space>& model, 
     if (primitive.is_driven) continue;
     const bool turns = primitive.kind != space::JointPrimitive::Kind::prismatic;
     const bool is_spherical = primitive.kind == space::JointPrimitive::Kind::spherical;
+    const int sense = !is_spherical ? 0 : primitive.frame == space::TurnFrame::parent ? 1 : -1;
     for (int c = 0; c < primitive.components(); ++c) {
       std::string numbered = name;
       if (joint.coordinates > 1) numbered.append(" ").append(std::to_string(++number));
-      list.push_back({numbered, name, index, -1, turns, turns ? 1.0 : extent, is_spherical});
+      list.push_back({numbered, name, index, -1, turns, turns ? 1.0 : extent, sense});
     }
   }
   for (CoordinateName& own : view.name_coordinates(*model.body))

@@ -2,9 +2,11 @@
 
 #include <cassert>
 #include <cmath>
+#include <vector>
 
 #include "engine/small_motions/steady/derivatives.h"
 #include "engine/small_motions/vibration/periodic_orbit.h"
+#include "engine/small_motions/vibration/rotation_rates.h"
 #include "engine/small_motions/vibration/turn_motion.h"
 #include "engine/small_motions/vibration/turn_series.h"
 
@@ -43,6 +45,15 @@ MatrixXd differ_inertia(std::size_t i, const steady::SubsystemState& state, cons
 struct Matrices {
   MatrixXd M, C, K;
 };
+
+/// Takes matrices for accelerations, velocities and coordinates, and equations by velocities, to
+/// those for coordinates and their rates.
+void take_rates(const RateMaps& maps, Matrices& of) {
+  const MatrixXd back = maps.v_by_rate.transpose();
+  of.K = back * (of.K + of.C * maps.v_by_x + of.M * maps.a_by_x);
+  of.C = back * (of.C * maps.v_by_rate + of.M * maps.a_by_rate);
+  of.M = back * of.M * maps.v_by_rate;
+}
 
 Matrices linearise_subsystem(std::size_t i, Index at, const VectorXd& q, const TurnMotion& motion,
                              Index l, Index hub, SteadyModel& whole) {
@@ -158,7 +169,9 @@ PeriodicSystem linearise_along(const PeriodicOrbit& orbit, const Linearised& all
                                const PeriodicSystem& mean, SteadyModel& whole) {
   const Index hub = mean.hub, parts = orbit.parts();
   assert(hub <= 1);
-  const TurnMotion motion = make_turn_motion(orbit.harmonics, mean.speed);
+  const std::vector<RotationAt> rotations = list_rotations(mean, whole);
+  const TurnMotion rates = make_turn_motion(orbit.harmonics, mean.speed);
+  const TurnMotion motion = find_velocities(rates, rotations);
   PeriodicSystem result = mean;
   result.M = result.C = result.K = make_zero_periodic(mean.size(), orbit.harmonics.cols() - 1);
   if (hub > 0)
@@ -177,7 +190,9 @@ PeriodicSystem linearise_along(const PeriodicOrbit& orbit, const Linearised& all
       found[i] = sample((hub + n) * (hub + n), parts, [&](Index l) {
         place_hub(motion, l, hub, whole);
         orbit.wake.hold(i, l, whole);
-        return linearise_subsystem(i, at, all.equilibrium.q[i], motion, l, hub, whole);
+        Matrices own = linearise_subsystem(i, at, all.equilibrium.q[i], motion, l, hub, whole);
+        if (!rotations.empty()) take_rates(find_rate_maps(rates, l, rotations, hub, at, n), own);
+        return own;
       });
     add_series(found[first], all.model.azimuth(i) - all.model.azimuth(first), hub, at, result);
   }

@@ -9,7 +9,9 @@
 #include <iomanip>
 #include <limits>
 #include <sstream>
+#include <vector>
 
+#include "engine/small_motions/vibration/rotation_rates.h"
 #include "engine/small_motions/vibration/turn_series.h"
 #include "engine/support/dense.h"
 #include "models/error.h"
@@ -36,7 +38,7 @@ constexpr double kTail = 1e-10, kTailInAir = 1e-7, kMostInAir = 1e-5;
 class Balance {
  public:
   Balance(const Linearised& all, const PeriodicSystem& mean, SteadyModel& whole)
-      : all_(all), mean_(mean), whole_(whole) {}
+      : all_(all), mean_(mean), whole_(whole), rotations_(list_rotations(mean, whole)) {}
 
   /// Returns them on all coordinates at an azimuth; none beyond the limits of the model. `part`:
   /// which part of a turn that is, with the wake there; none: with one of equilibrium.
@@ -62,7 +64,7 @@ class Balance {
 
   /// Returns their harmonics for a motion; none beyond the limits of the model.
   std::optional<MatrixXcd> of(const MatrixXcd& harmonics) {
-    const TurnMotion motion = make_turn_motion(harmonics, mean_.speed);
+    const TurnMotion motion = find_velocities(make_turn_motion(harmonics, mean_.speed), rotations_);
     if (!wake_.follow(motion, mean_, all_.equilibrium.q, whole_)) return std::nullopt;
     MatrixXd left(motion.x.rows(), motion.parts());
     for (Index l = 0; l < motion.parts(); ++l) {
@@ -81,6 +83,7 @@ class Balance {
   const Linearised& all_;
   const PeriodicSystem& mean_;
   SteadyModel& whole_;
+  std::vector<RotationAt> rotations_;
   PeriodicWake wake_;
 };
 
@@ -267,8 +270,6 @@ bool can_have_orbit(const Linearised& all) {
   for (std::size_t i = 0; i < all.model.subsystems(); ++i) {
     for (const steady::ClosureRow& row : all.model.closure_rows(i))
       if (row.is_rigid() || row.is_dropped) return false;
-    for (const steady::SubsystemCoordinate& coordinate : all.model.coordinates(i))
-      if (coordinate.is_spherical) return false;
   }
   return true;
 }
@@ -276,6 +277,8 @@ bool can_have_orbit(const Linearised& all) {
 std::optional<PeriodicOrbit> find_periodic_orbit(const Linearised& all, const PeriodicSystem& mean,
                                                  SteadyModel& whole) {
   assert(can_have_orbit(all));
+  for (std::size_t i = 0; i < whole.subsystems(); ++i)
+    whole.settle_at(i, all.model.absolute(i, all.equilibrium.q[i]));
   if (!is_turned_against(all, mean, whole)) return std::nullopt;
   const VectorXd scale = find_scale(mean, whole);
   Balance balance(all, mean, whole);

@@ -22,7 +22,7 @@ struct PeriodicOrbit {
 };
 
 /// Whether the motion of this model can be found: if the hub has no coordinates but its angle, and
-/// if springs hold all closures of loops, and no joint is spherical or relaxes.
+/// if springs hold all closures of loops, and no joint relaxes.
 bool can_have_orbit(const Linearised& all);
 
 /// Finds the motion. `mean`: the linear model without what turns against it; `whole`: the same

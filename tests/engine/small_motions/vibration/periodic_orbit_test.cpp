@@ -213,6 +213,40 @@ TEST_CASE("periodic orbit: springs in a loop act as those of the joint do") {
   }
 }
 
+TEST_CASE("periodic orbit: a ball joint acts as three hinges that meet in it do") {
+  const std::string head =
+      "world = \"space\"\n[hub]\ninertia = 5.0\n[hub.drive]\nSPEED[gravity]\n"
+      "acceleration = [0.0, -3.0, -2.0]\n[integration]\nduration = 1.0\nstep = 0.01\n"
+      "[[subsystem]]\nname = \"blade\"\n[[subsystem.body]]\nname = \"bar\"\nkind = \"rigid\"\n"
+      "mass = 2.0\ncenter = [0.6, 0.0, 0.0]\ninertia = [0.03, 0.08, 0.1]\n";
+  const std::string ball =
+      "[[subsystem.joint]]\nparent = \"hub\"\nchild = \"bar\"\nkind = \"spherical\"\n"
+      "offset = [0.3, 0.0, 0.0]\n";
+  const std::string hinges =
+      "[[subsystem.body]]\nname = \"cross\"\nkind = \"rigid\"\nmass = 1e-6\ninertia = 1e-8\n"
+      "[[subsystem.joint]]\nparent = \"hub\"\nchild = \"cross\"\nkind = \"universal\"\n"
+      "axes = [[0, 0, 1], [0, 1, 0]]\noffset = [0.3, 0.0, 0.0]\n"
+      "[[subsystem.joint]]\nparent = \"cross\"\nchild = \"bar\"\nkind = \"revolute\"\n"
+      "axis = [1, 0, 0]\n";
+  const std::string free = "kind = \"torque\"\ntorque = 0.0\ninitial_speed = 6.0\n";
+  for (const std::string& drive : {constant(6.0), free}) {
+    CAPTURE(drive);
+    const auto of = [&](const std::string& joints) {
+      std::string text = head + joints;
+      text.replace(text.find("SPEED"), 5, drive);
+      return solve(parse_scenario(text, "ball.toml"), 6.0);
+    };
+    const ModesResult one = of(ball), three = of(hinges);
+    REQUIRE(one.modes.size() == three.modes.size());
+    CHECK(one.modes.back().harmonics.size() > 1);
+    VectorXcd expected(std::ssize(three.modes));
+    for (std::size_t k = 0; k < three.modes.size(); ++k)
+      expected[static_cast<Eigen::Index>(k)] =
+          std::exp(three.modes[k].eigenvalue * (2.0 * std::numbers::pi / 6.0));
+    for (const Mode& mode : one.modes) CHECK(distance(mode, expected, 6.0) < 1e-6);
+  }
+}
+
 TEST_CASE("periodic orbit: gravity along the axis, or none, leaves constant matrices") {
   const Pendulum blade;
   for (const std::string gravity : {"[0.0, 0.0, 0.0]", "[0.0, 0.0, -9.81]"}) {
