@@ -330,12 +330,13 @@ struct Fuselage {
   Vector angular_velocity = Vector::Zero();  ///< at t = 0, its axes [rad/s]
 };
 
-/// Where the axle of the hub stands: on a support, or on a subsystem of another rotor.
+/// Where the axle of the hub stands: on a support, or on a blade or a subsystem of another rotor.
 struct Axle {
-  /// Name of the subsystem whose body carries it, one on the hub of a rotor of a lower number;
-  /// empty: the support. A hub that is but a place there has next to no inertia, not the default.
+  /// Name of the subsystem whose body carries it, one on the hub of a rotor of a lower number, or
+  /// of such a blade, "blade 2"; empty: the support. A hub that is but a place there has next to no
+  /// inertia, not the default.
   std::string subsystem{};
-  /// Name of the body that carries it; empty: what the support stands on.
+  /// Name of the body that carries it; empty: what the support stands on, or a blade.
   std::string body{};
   /// Station on a beam [m]; none: its tip.
   std::optional<double> station = std::nullopt;
@@ -344,8 +345,8 @@ struct Axle {
   /// Place and rotation vector of the hub's frame at angle 0 in the carrier's frame, as of a joint
   /// [m, rad].
   Vector offset = Vector::Zero(), orientation = Vector::Zero();
-  /// What is between hub and drive; none: the drive turns the hub. With one the carrier is a rigid
-  /// body or the fuselage.
+  /// What is between hub and drive; none: the drive turns the hub. With one on a body that bends
+  /// the hub has mass.
   std::optional<DriveTrain> train = std::nullopt;
 };
 
@@ -497,8 +498,8 @@ SPOKE_EXPORT const Axle& axle_of(const Model& model, int rotor);
 SPOKE_EXPORT std::string prefix_of_rotor(const Model& model, int rotor);
 /// Returns whether a subsystem of a model is the tree of its support.
 SPOKE_EXPORT bool is_support(const Model& model, const Subsystem& subsystem);
-/// Returns the rotors whose axles a subsystem carries by its name, ascending; none of a model
-/// without a support.
+/// Returns the rotors whose axles a subsystem carries by its name, or a blade by that of its tree,
+/// "blade 2", ascending; none of a model without a support.
 SPOKE_EXPORT std::vector<int> find_rotors_on(const Model& model, const std::string& subsystem);
 /// Returns the key of a subsystem in a scenario, by its index: "subsystem.2", or "support".
 SPOKE_EXPORT std::string key_of_subsystem(const Model& model, std::size_t index);

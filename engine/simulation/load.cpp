@@ -10,6 +10,7 @@
 #include "models/error.h"
 #include "models/scenario.h"
 #include "models/support/quantity.h"
+#include "models/tree/axle_carrier.h"
 #include "models/tree/tree.h"
 
 namespace spoke {
@@ -47,8 +48,8 @@ std::vector<double> find_ends(const Blade& blade) {
 }
 std::vector<double> find_ends(const spatial::Tree& tree) {
   std::vector<double> ends{0.0};
-  for (const spatial::TreeBody& body : tree.bodies)
-    ends.push_back(std::get<spatial::FlexibleBody>(body.shape).nodes.back());
+  for (std::size_t j = 0; j <= find_tip_body(tree); ++j)
+    ends.push_back(std::get<spatial::FlexibleBody>(tree.bodies[j].shape).nodes.back());
   return ends;
 }
 

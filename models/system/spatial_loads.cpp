@@ -31,7 +31,7 @@ class Target {
   bool is_there() const { return is_there_; }
   /// Whether a load is on a body; all bodies into which a beam is cut have the beam's name.
   bool holds(const spatial::TreeBody& body) const {
-    if (place_.subsystem.empty()) return true;
+    if (place_.subsystem.empty()) return std::holds_alternative<FlexibleBody>(body.shape);
     return body.name == place_.body || body.name.starts_with(place_.body + " / body ");
   }
 

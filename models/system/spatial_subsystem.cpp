@@ -11,6 +11,7 @@
 
 #include "models/system/coupling_model.h"
 #include "models/system/solid_tension.h"
+#include "models/tree/axle_carrier.h"
 #include "models/tree/drive_train.h"
 #include "models/tree/mass_properties.h"
 #include "models/tree/space_joint.h"
@@ -56,7 +57,7 @@ class SubsystemMaker {
     add_tension();
     for (std::size_t j = 0; j < loads.size(); ++j) add_loads(j, std::move(loads[j]));
     made_.root = {to_axis_ * pose_of(placements_[0]).p, to_axis_ * pose_of(placements_[0]).R};
-    const auto last = tree_.bodies.size() - 1;
+    const std::size_t last = find_tip_body(tree_);
     made_.tip = place_of(last) * tip_of(last);
     return std::move(made_);
   }
@@ -227,9 +228,7 @@ class SubsystemMaker {
     const spatial::TreeBody& own = body(j);
     const auto& rigid = std::get<spatial::RigidBody>(own.shape);
     if (!own.is_generator()) return without_shares(rigid, tree_, static_cast<int>(j));
-    return with_share(own, own.parent < 0 ? base_
-                                          : std::get<spatial::RigidBody>(
-                                                body(static_cast<std::size_t>(own.parent)).shape));
+    return with_share(tree_, j, base_);
   }
 
   void add_body(std::size_t j) {

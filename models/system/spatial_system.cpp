@@ -246,7 +246,7 @@ std::shared_ptr<const BladeAirModel> make_blade_air(const spatial::Blade& blade,
   for (const double station : blade.aerodynamics->station) {
     std::size_t j = 0;
     const auto own = [&] { return station - subsystem.bodies[j].begin; };
-    while (j + 1 < subsystem.bodies.size() &&
+    while (j + 1 < subsystem.bodies.size() && subsystem.bodies[j + 1].body->flexible() &&
            subsystem.bodies[j].body->flexible()->stations.back() < own())
       ++j;
     made.places.push_back({static_cast<int>(j), own()});

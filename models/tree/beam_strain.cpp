@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "models/tree/axle_carrier.h"
 #include "models/tree/space_beam.h"
 #include "models/tree/tree.h"
 
@@ -47,6 +48,8 @@ std::vector<LoopFromElsewhere> loops_on(const Model& model, const Subsystem& sub
 }  // namespace
 
 std::string find_unknown_tension(const Model& model, const Blade& blade) {
+  if (const std::vector<int> rotors = find_rotors_on(model, blade); !rotors.empty())
+    return "it carries rotor " + hub_of(model, rotors.front()).name;
   return is_turned(hub_of(model, blade.rotor))
              ? find_cause(blade.joints, blade.loops, loops_on(model, blade))
              : kNoDrive;

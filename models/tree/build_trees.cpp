@@ -9,6 +9,7 @@
 #include "models/space/reference_curve.h"
 #include "models/space/rotation_vector.h"
 #include "models/tree/anchors_on_bodies.h"
+#include "models/tree/axle_carrier.h"
 #include "models/tree/beam_cuts.h"
 #include "models/tree/beam_strain.h"
 #include "models/tree/drive_train.h"
@@ -181,32 +182,6 @@ class LoopBuilder {
   Tree& tree_;
 };
 
-Tree build_tree(const Blade& blade, const Model& model, std::size_t number) {
-  Tree tree;
-  tree.name = "blade " + std::to_string(number);
-  tree.azimuth = blade.azimuth;
-  tree.rotor = blade.rotor;
-  const Hub& hub = hub_of(model, blade.rotor);
-  const Tensor turned =
-      rotation_of(blade.azimuth * Vector::UnitZ()) * rotation_of(-blade.precone * Vector::UnitY());
-  const Placement root =
-      rotor_placement(hub) * Placement{turned * (hub.radius * Vector::UnitX()), turned};
-  Beam beam = blade.beam;
-  beam.strain = choose_strain(beam, find_unknown_tension(model, blade));
-  const std::vector<LoopFromElsewhere> others = find_loops_from_elsewhere(model, number - 1);
-  add_beam(tree, beam, "", {{}, root, {}}, blade.joints,
-           loop_stations(blade.loops, others, "", beam));
-  if (tree.bodies.size() == 1) tree.bodies[0].name = "body 1";
-  LoopBuilder builder(model.anchors, rotation_of(blade.azimuth * hub.axis.normalized()), tree);
-  const auto all = [&tree](const std::string&) {
-    return std::pair<std::size_t, std::size_t>(0, tree.bodies.size() - 1);
-  };
-  for (const Loop& loop : blade.loops) builder.add(loop, all);
-  for (const LoopFromElsewhere& other : others) builder.add_end(other, all);
-  tree.couplings = blade.couplings;
-  return tree;
-}
-
 /// Returns the hub on a support, in its frame with z along the drive's axis.
 RigidBody make_hub_body(const Hub& hub) {
   const Tensor to_axis = rotor_placement(hub).rotation.transpose();
@@ -231,6 +206,82 @@ void drive_joint(const Drive& drive, int rotor, double ratio, TreeBody& body) {
   JointCoordinate& turn = body.joint.coordinates[0];
   turn.initial_speed = ratio * calc_initial_speed(drive);
   if (prescribes_motion(drive)) turn.motion = MotionTable{};  // the drive's
+}
+
+/// Adds the generator that the drive of a rotor turns, and the shaft to its axle.
+void add_generator(Tree& tree, const Model& model, int rotor, const Handle& carrier) {
+  const std::string prefix = prefix_of_rotor(model, rotor);
+  const Axle& axle = axle_of(model, rotor);
+  const Hub& hub = hub_of(model, rotor);
+  add_body(tree, prefix + std::string(kGeneratorName), make_generator(*axle.train), carrier, {},
+           make_axle(prefix + std::string(kGeneratorName), axle));
+  TreeBody& made = tree.bodies.back();
+  made.placement = made.placement * rotor_placement(hub);
+  drive_joint(hub.drive, rotor, axle.train->gear_ratio, made);
+  tree.couplings.push_back(make_shaft(*axle.train, prefix));
+}
+
+/// Adds the hub of a rotor that a tree carries.
+void add_hub(Tree& tree, const Model& model, int rotor, const Handle& carrier) {
+  const Hub& hub = hub_of(model, rotor);
+  const Axle& axle = axle_of(model, rotor);
+  const std::string prefix = prefix_of_rotor(model, rotor);
+  if (axle.train) add_generator(tree, model, rotor, carrier);
+  add_body(tree, prefix + "hub", make_hub_body(hub), carrier, {}, make_axle(prefix + "axle", axle));
+  TreeBody& made = tree.bodies.back();
+  made.rotor = rotor;
+  made.placement = made.placement * rotor_placement(hub);
+  if (!axle.train) {
+    drive_joint(hub.drive, rotor, 1.0, made);
+    return;
+  }
+  const TreeBody& generator = tree.bodies[tree.bodies.size() - 2];
+  made.joint.coordinates[0].initial_speed =
+      generator.joint.coordinates[0].initial_speed / axle.train->gear_ratio;
+}
+
+/// Returns the node at a station of a blade, on the outermost of its bodies, which are `last` + 1:
+/// where a joint parts it, outboard of that.
+Handle find_outermost(const Tree& tree, std::size_t last, double station) {
+  for (std::size_t i = last + 1; i-- > 0;) {
+    const auto& part = std::get<FlexibleBody>(tree.bodies[i].shape);
+    const auto node = find_node(part, station, resolution_of(tree.beams[part.beam]));
+    if (node) return {static_cast<int>(i), *node};
+  }
+  assert(false && "places of axles are nodes");
+  return {};
+}
+
+Tree build_tree(const Blade& blade, const Model& model, std::size_t number) {
+  Tree tree;
+  tree.name = name_of_blade(number);
+  tree.azimuth = blade.azimuth;
+  tree.rotor = blade.rotor;
+  const Hub& hub = hub_of(model, blade.rotor);
+  const Tensor turned =
+      rotation_of(blade.azimuth * Vector::UnitZ()) * rotation_of(-blade.precone * Vector::UnitY());
+  const Placement root =
+      rotor_placement(hub) * Placement{turned * (hub.radius * Vector::UnitX()), turned};
+  Beam beam = blade.beam;
+  beam.strain = choose_strain(beam, find_unknown_tension(model, blade));
+  const std::vector<LoopFromElsewhere> others = find_loops_from_elsewhere(model, number - 1);
+  std::vector<double> places = loop_stations(blade.loops, others, "", beam);
+  const std::vector<int> rotors = find_rotors_on(model, blade);
+  for (const int r : rotors) places.push_back(axle_of(model, r).station.value_or(beam.length));
+  add_beam(tree, beam, "", {{}, root, {}}, blade.joints, places);
+  if (tree.bodies.size() == 1) tree.bodies[0].name = "body 1";
+  const std::size_t last = tree.bodies.size() - 1;
+  LoopBuilder builder(model.anchors, rotation_of(blade.azimuth * hub.axis.normalized()), tree);
+  const auto all = [last](const std::string&) {
+    return std::pair<std::size_t, std::size_t>(0, last);
+  };
+  for (const Loop& loop : blade.loops) builder.add(loop, all);
+  for (const LoopFromElsewhere& other : others) builder.add_end(other, all);
+  for (const int r : rotors)
+    add_hub(tree, model, r,
+            find_outermost(tree, last, axle_of(model, r).station.value_or(beam.length)));
+  tree.couplings.insert(tree.couplings.begin(), blade.couplings.begin(), blade.couplings.end());
+  return tree;
 }
 
 /// Adds the bodies of a subsystem, each after its parent.
@@ -264,7 +315,7 @@ class SubsystemBuilder {
       const auto further = children_of(joint.child);
       next.insert(next.end(), further.rbegin(), further.rend());
     }
-    for (const int r : rotors_) add_hub(r);
+    for (const int r : rotors_) add_hub(tree_, model_, r, carrier_of(axle_of(model_, r)));
     LoopBuilder builder(model_.anchors, turn_, tree_);
     const auto find = [this](const std::string& name) {
       const Added& added = added_.at(name);
@@ -312,6 +363,15 @@ class SubsystemBuilder {
     return {};
   }
 
+  /// Returns the handle that carries an axle.
+  Handle carrier_of(const Axle& axle) const {
+    SubsystemJoint carried;
+    carried.parent = axle.body.empty() ? base_ : axle.body;
+    carried.station = axle.station;
+    carried.interface = axle.interface;
+    return handle_of(carried);
+  }
+
   void add(const SubsystemJoint& joint) {
     const Body& child = body(joint.child);
     const std::size_t first = tree_.bodies.size();
@@ -336,43 +396,6 @@ class SubsystemBuilder {
       add_body(tree_, child.name, std::get<RigidBody>(child.shape), parent, placement, joint.joint);
     }
     added_[child.name] = {first, tree_.bodies.size() - 1};
-  }
-
-  /// Adds the hub of a rotor that the subsystem carries.
-  void add_hub(int rotor) {
-    const Hub& hub = hub_of(model_, rotor);
-    const Axle& axle = axle_of(model_, rotor);
-    const std::string prefix = prefix_of_rotor(model_, rotor);
-    SubsystemJoint carried;
-    carried.parent = axle.body.empty() ? base_ : axle.body;
-    carried.station = axle.station;
-    carried.interface = axle.interface;
-    const Handle carrier = handle_of(carried);
-    if (axle.train) add_generator(rotor, prefix, carrier);
-    add_body(tree_, prefix + "hub", make_hub_body(hub), carrier, {},
-             make_axle(prefix + "axle", axle));
-    TreeBody& made = tree_.bodies.back();
-    made.rotor = rotor;
-    made.placement = made.placement * rotor_placement(hub);
-    if (!axle.train) {
-      drive_joint(hub.drive, rotor, 1.0, made);
-      return;
-    }
-    const TreeBody& generator = tree_.bodies[tree_.bodies.size() - 2];
-    made.joint.coordinates[0].initial_speed =
-        generator.joint.coordinates[0].initial_speed / axle.train->gear_ratio;
-  }
-
-  /// Adds the generator that the drive of a rotor turns, and the shaft to its axle.
-  void add_generator(int rotor, const std::string& prefix, const Handle& carrier) {
-    const Axle& axle = axle_of(model_, rotor);
-    const Hub& hub = hub_of(model_, rotor);
-    add_body(tree_, prefix + std::string(kGeneratorName), make_generator(*axle.train), carrier, {},
-             make_axle(prefix + std::string(kGeneratorName), axle));
-    TreeBody& made = tree_.bodies.back();
-    made.placement = made.placement * rotor_placement(hub);
-    drive_joint(hub.drive, rotor, axle.train->gear_ratio, made);
-    tree_.couplings.push_back(make_shaft(*axle.train, prefix));
   }
 
   const Subsystem& subsystem_;

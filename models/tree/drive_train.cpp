@@ -3,26 +3,45 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cassert>
+#include <cstddef>
+#include <variant>
 
 namespace spoke::spatial {
 namespace {
 
-/// What the equations move from a carrier to its generator.
+/// What the equations move from a body to a generator.
 struct Share {
   double mass = 0.0;    ///< at the generator's place [kg]
   double across = 0.0;  ///< inertia about each axis across the generator's [kg m^2]
 };
 
-/// Chooses a share that leaves the carrier an inertia: some hundredth of its mass, less far
-/// outside.
-Share choose_share(const RigidBody& carrier, const TreeBody& generator) {
+/// Chooses a share that leaves the giver an inertia: some hundredth of its mass, less far outside.
+/// `place`: of the generator in its frame.
+Share choose_share(const RigidBody& giver, const Vector& place) {
   constexpr double kShare = 1e-2;
-  assert(carrier.mass > 0.0);
-  const double least = Eigen::SelfAdjointEigenSolver<Tensor>(carrier.inertia).eigenvalues()[0];
+  assert(giver.mass > 0.0);
+  const double least = Eigen::SelfAdjointEigenSolver<Tensor>(giver.inertia).eigenvalues()[0];
   assert(least > 0.0);
-  const double arm = (generator.placement.position - carrier.center).squaredNorm();
-  return {kShare * std::min(carrier.mass, least / std::max(arm, least / carrier.mass)),
-          kShare * least};
+  const double arm = (place - giver.center).squaredNorm();
+  return {kShare * std::min(giver.mass, least / std::max(arm, least / giver.mass)), kShare * least};
+}
+
+/// Which body gives a generator its share, and where the generator is in that one's frame.
+struct Giver {
+  int body = -1;  ///< index in the tree; -1: the base
+  Placement generator{};
+};
+
+/// Finds the giver: a carrier that is rigid; else the hub, which stands behind its generator in the
+/// tree and has its origin there, and its axis.
+Giver find_giver(const Tree& tree, std::size_t generator) {
+  const TreeBody& own = tree.bodies[generator];
+  const bool is_on_rigid =
+      own.parent < 0 ||
+      std::holds_alternative<RigidBody>(tree.bodies[static_cast<std::size_t>(own.parent)].shape);
+  if (is_on_rigid) return {own.parent, own.placement};
+  assert(tree.bodies[generator + 1].is_hub());
+  return {static_cast<int>(generator) + 1, {}};
 }
 
 /// Returns the inertia of a mass at a place about the origin.
@@ -48,30 +67,36 @@ Coupling make_shaft(const DriveTrain& train, const std::string& prefix) {
   return shaft;
 }
 
-RigidBody with_share(const TreeBody& generator, const RigidBody& carrier) {
-  assert(generator.is_generator());
-  const Share share = choose_share(carrier, generator);
-  RigidBody made = std::get<RigidBody>(generator.shape);
+RigidBody with_share(const Tree& tree, std::size_t generator, const RigidBody& base) {
+  assert(tree.bodies[generator].is_generator());
+  const Giver giver = find_giver(tree, generator);
+  const RigidBody& from =
+      giver.body < 0 ? base
+                     : std::get<RigidBody>(tree.bodies[static_cast<std::size_t>(giver.body)].shape);
+  const Share share = choose_share(from, giver.generator.position);
+  RigidBody made = std::get<RigidBody>(tree.bodies[generator].shape);
   made.mass = share.mass;
   made.inertia += Vector(share.across, share.across, 0.0).asDiagonal();
   return made;
 }
 
-RigidBody without_shares(const RigidBody& carrier, const Tree& tree, int body) {
-  RigidBody left = carrier;
-  Vector moment = carrier.mass * carrier.center;
-  Tensor about_origin = carrier.inertia + inertia_at(carrier.mass, carrier.center);
-  for (const TreeBody& generator : tree.bodies) {
-    if (!generator.is_generator() || generator.parent != body) continue;
-    const Share share = choose_share(carrier, generator);
-    const Vector& place = generator.placement.position;
-    const Vector axis = generator.placement.rotation.col(2);
+RigidBody without_shares(const RigidBody& giver, const Tree& tree, int body) {
+  RigidBody left = giver;
+  Vector moment = giver.mass * giver.center;
+  Tensor about_origin = giver.inertia + inertia_at(giver.mass, giver.center);
+  for (std::size_t j = 0; j < tree.bodies.size(); ++j) {
+    if (!tree.bodies[j].is_generator()) continue;
+    const Giver found = find_giver(tree, j);
+    if (found.body != body) continue;
+    const Vector& place = found.generator.position;
+    const Share share = choose_share(giver, place);
+    const Vector axis = found.generator.rotation.col(2);
     left.mass -= share.mass;
     moment -= share.mass * place;
     about_origin -= inertia_at(share.mass, place) +
                     share.across * (Tensor::Identity() - axis * axis.transpose());
   }
-  if (left.mass == carrier.mass) return carrier;
+  if (left.mass == giver.mass) return giver;
   left.center = moment / left.mass;
   left.inertia = about_origin - inertia_at(left.mass, left.center);
   return left;

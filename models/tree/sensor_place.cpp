@@ -7,6 +7,8 @@
 #include <cmath>
 #include <variant>
 
+#include "models/tree/axle_carrier.h"
+
 namespace spoke::spatial {
 int SensorPlace::body_at(const Tree& of, double station) const {
   assert(!bodies.empty());
@@ -28,7 +30,8 @@ std::vector<SensorPlace> find_places(const Sensor& sensor, std::size_t blades,
     if (!is_there) continue;
     SensorPlace place{i};
     for (std::size_t j = 0; j < trees[i].bodies.size(); ++j)
-      if (sensor.body.empty() || is_part_of(trees[i].bodies[j], sensor.body))
+      if (is_blade ? j <= find_tip_body(trees[i])
+                   : sensor.body.empty() || is_part_of(trees[i].bodies[j], sensor.body))
         place.bodies.push_back(static_cast<int>(j));
     if (!place.bodies.empty()) places.push_back(std::move(place));
   }

@@ -653,12 +653,15 @@ def rotor(*, name, hub, axle=None, blade=None, blades=None):
     return _given(locals())
 
 
-def axle(*, subsystem=None, body=None, station=None, node=None, interface=None, offset=None,
-         orientation=None, stiffness=None, damping=None, gear_ratio=None, generator_inertia=None):
+def axle(*, subsystem=None, blade=None, body=None, station=None, node=None, interface=None,
+         offset=None, orientation=None, stiffness=None, damping=None, gear_ratio=None,
+         generator_inertia=None):
     """Where a support carries the hub.
 
     subsystem: of a rotor that is not the first: name of the subsystem whose body carries the axle,
         one on the hub of a rotor before this
+    blade: in place of subsystem and body: number, among those of all rotors, of the blade that
+        carries the axle, one of a rotor before this
     body: name of the body that carries the axle; a fuselage is named "fuselage"
     station: the place on a beam; it may be anywhere, and makes a node there [m]
     node: in place of station: number of a node, as of a joint's parent

@@ -11,6 +11,7 @@
 #include "engine/output/scene/section_size.h"
 #include "engine/output/scene/solids.h"
 #include "models/solid/solid.h"
+#include "models/tree/axle_carrier.h"
 #include "models/tree/space_beam.h"
 #include "models/tree/tree.h"
 
@@ -179,7 +180,8 @@ class SubsystemScene {
  private:
   bool is_on(const spatial::LoadPlace& place, std::size_t j) const {
     if (place.subsystem.empty())
-      return is_blade_ && place.blade.holds(static_cast<std::size_t>(number_));
+      return is_blade_ && place.blade.holds(static_cast<std::size_t>(number_)) &&
+             j <= find_tip_body(tree_);
     if (is_blade_ || place.subsystem != tree_.name) return false;
     const std::string& name = tree_.bodies[j].name;
     return name == place.body || name.starts_with(place.body + " / body ");
@@ -298,11 +300,13 @@ class SubsystemScene {
     scene_.meshes.push_back(std::move(mesh));
   }
 
-  /// Returns the last node of the subsystem, of a solid that of its last interface.
+  /// Returns the last node of the body at the tip, of a solid that of its last interface.
   int find_tip() const {
-    if (const auto* part = std::get_if<SolidPart>(&tree_.bodies.back().shape))
-      return first_.back() + static_cast<int>(part->body().interfaces.size());
-    return static_cast<int>(scene_.nodes.size()) - 1;
+    const std::size_t last = find_tip_body(tree_);
+    if (const auto* part = std::get_if<SolidPart>(&tree_.bodies[last].shape))
+      return first_[last] + static_cast<int>(part->body().interfaces.size());
+    return last + 1 < first_.size() ? first_[last + 1] - 1
+                                    : static_cast<int>(scene_.nodes.size()) - 1;
   }
 
   void add_rigid(std::size_t j) {

@@ -15,6 +15,7 @@
 #include "models/space/space.h"
 #include "models/system/spatial_system.h"
 #include "models/tree/anchors_on_bodies.h"
+#include "models/tree/axle_carrier.h"
 #include "models/tree/tree.h"
 
 namespace spoke::steady {
@@ -96,8 +97,10 @@ std::string find_tie_of_hubs(const spatial::Model& given) {
       return "anchor." + std::to_string(i + 1) + ".frame: is \"axle\", beside the hub";
   for (int r = 0; r < count_rotors(model); ++r)
     if (const std::string& carrier = axle_of(model, r).subsystem; !carrier.empty())
-      return "rotor." + std::to_string(r + 1) + ".axle.subsystem: is \"" + carrier +
-             "\", which another rotor carries";
+      return "rotor." + std::to_string(r + 1) +
+             (find_blade_of(axle_of(model, r)) > 0 ? ".axle.blade: is on " + carrier
+                                                   : ".axle.subsystem: is \"" + carrier + '"') +
+             ", which another rotor carries";
   const std::string axle = find_coupled_axle(model);
   return axle.empty() ? find_any_loop_across(model) : axle;
 }

@@ -18,6 +18,7 @@
 #include "engine/small_motions/steady/steady_system.h"
 #include "engine/small_motions/steady/subsystem_access.h"
 #include "engine/step/formulation/loops/loops.h"
+#include "models/system/tip_body.h"
 
 namespace spoke::steady {
 namespace {
@@ -60,7 +61,8 @@ template <class World>
 TipMotion SteadySystem<World>::tip(std::size_t subsystem) {
   SubsystemData<World>& own = data(subsystem);
   calc_poses(context_.system.subsystems[subsystem], own, own.poses);
-  const Eigen::Matrix3d turned = outer_axes(own) * tip_axes_[subsystem].transpose();
+  const Eigen::Matrix3d turned =
+      outer_axes(own, find_tip_body(context_.system, subsystem)) * tip_axes_[subsystem].transpose();
   const SubsystemSample<World> sample = calc_sample(context_.system, subsystem, data(subsystem));
   return {in_space(sample.tip), space::logarithm(space::Rotation{turned})};
 }

@@ -28,6 +28,7 @@
 #include "engine/step/step_graph_builder.h"
 #include "models/error.h"
 #include "models/system/spatial_system.h"
+#include "models/system/tip_body.h"
 #include "models/tree/tree.h"
 
 namespace spoke::steady {
@@ -216,7 +217,7 @@ void SteadySystem<World>::set_undeformed() {
     SubsystemResponse response;
     evaluate(i, {zero, zero, zero, zero}, no_offset(), response);
     calc_poses(context_.system.subsystems[i], data(i), data(i).poses);
-    tip_axes_.push_back(outer_axes(data(i)));
+    tip_axes_.push_back(outer_axes(data(i), find_tip_body(context_.system, i)));
   }
   stiffness_.resize(subsystems());
 }

@@ -187,14 +187,13 @@ void add_places(const SubsystemData<Space>& data, int j, std::vector<NodePlace>&
     places.push_back({node.p, node.axes, node.centre, node.mass, node.inertia, j});
 }
 
-Eigen::Matrix3d outer_axes(const SubsystemData<Plane>& data) {
+Eigen::Matrix3d outer_axes(const SubsystemData<Plane>& data, std::size_t body) {
   std::vector<NodePlace> places;
-  add_places(data, static_cast<int>(data.bodies.size()) - 1, places);
+  add_places(data, static_cast<int>(body), places);
   return places.back().axes;
 }
-Eigen::Matrix3d outer_axes(const SubsystemData<Space>& data) {
-  const std::size_t last = data.bodies.size() - 1;
-  return data.bodies[last].kind->outer_axes(data.bodies[last], data.poses[last]);
+Eigen::Matrix3d outer_axes(const SubsystemData<Space>& data, std::size_t body) {
+  return data.bodies[body].kind->outer_axes(data.bodies[body], data.poses[body]);
 }
 
 std::shared_ptr<const space::SolidConstants> mesh_of(const BodyData<Plane>& /*body*/) {

@@ -64,9 +64,9 @@ Eigen::MatrixXd calc_body_damping(const Damping& damping, const BodyData<Space>&
 void add_places(const SubsystemData<Plane>& data, int j, std::vector<NodePlace>& places);
 void add_places(const SubsystemData<Space>& data, int j, std::vector<NodePlace>& places);
 
-/// Returns the axes of the outer end of the last body. Precondition: as of add_places().
-Eigen::Matrix3d outer_axes(const SubsystemData<Plane>& data);
-Eigen::Matrix3d outer_axes(const SubsystemData<Space>& data);
+/// Returns the axes of the outer end of a body. Precondition: as of add_places().
+Eigen::Matrix3d outer_axes(const SubsystemData<Plane>& data, std::size_t body);
+Eigen::Matrix3d outer_axes(const SubsystemData<Space>& data, std::size_t body);
 
 /// Returns the constants of a body from a mesh; null for others.
 std::shared_ptr<const space::SolidConstants> mesh_of(const BodyData<Plane>& body);

@@ -154,6 +154,11 @@ inline constexpr std::array kAxleRows{
             "of a rotor that is not the first: name of the subsystem whose body carries the axle, "
             "one on the hub of a rotor before this")
         .from("the support"),
+    by_hand("blade", kWhole,
+            "in place of `subsystem` and `body`: number, among those of all rotors, of the blade "
+            "that carries the axle, one of a rotor before this")
+        .from("none")
+        .within("from 1"),
     by_hand("body", kText,
             "name of the body that carries the axle; a fuselage is named `\"fuselage\"`")
         .from("required; the fuselage, where there is no body"),

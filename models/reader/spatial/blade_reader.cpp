@@ -12,6 +12,7 @@
 #include "models/reader/spatial/joint_reader.h"
 #include "models/reader/spatial/section_reader.h"
 #include "models/reader/spatial/spatial_fields.h"
+#include "models/tree/axle_carrier.h"
 
 namespace spoke::spatial {
 namespace {
@@ -39,8 +40,9 @@ std::vector<BladeJoint> read_joints(const TomlSection& blade) {
   return joints;
 }
 
+/// `rotors`: that it carries.
 Blade read_blade(const TomlSection& own, const TomlSection& common, double azimuth, int rotor,
-                 const Model& model) {
+                 const Model& model, const std::vector<int>& rotors) {
   const Layers from(own, common);
   Blade blade;
   blade.rotor = rotor;
@@ -59,7 +61,7 @@ Blade read_blade(const TomlSection& own, const TomlSection& common, double azimu
     from.of(fault.path.substr(0, fault.path.find('.'))).fail_at(fault.path, fault.text);
   blade.loops = read_loops(from.of("loop"), surroundings_of(blade, model));
   blade.couplings = read_couplings(from.of("coupling"));
-  if (const Fault fault = find_fault(blade.couplings, ends_of(blade)))
+  if (const Fault fault = find_fault(blade.couplings, ends_of(blade, rotors, model)))
     from.of("coupling").fail_at(fault.path, fault.text);
   return blade;
 }
@@ -74,21 +76,26 @@ std::vector<Blade> read_blades(const TomlSection& root, int rotor, const Model& 
   const std::vector<TomlSection> one_by_one = root.sections("blades", keys);
   const double first = common.number("azimuth", kAngle, 0.0);
   std::vector<Blade> blades;
+  const auto rotors_on_next = [&model, &blades] {
+    return find_rotors_on(model, name_of_blade(model.blades.size() + blades.size() + 1));
+  };
   if (one_by_one.empty() && !root.has("blade")) return blades;
   const auto azimuth = [&](std::size_t i, std::size_t count) {
     return first + 2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
   };
   if (one_by_one.empty()) {
     const auto count = static_cast<std::size_t>(common.integer("count", {1, kMostOfAKind}));
-    blades.assign(count, read_blade(common, common, first, rotor, model));
+    // No rotor is on several blades, to which what is given belongs.
+    const std::vector<int> rotors = count == 1 ? rotors_on_next() : std::vector<int>{};
+    blades.assign(count, read_blade(common, common, first, rotor, model, rotors));
     for (std::size_t i = 0; i < count; ++i) blades[i].azimuth = azimuth(i, count);
     return blades;
   }
   if (common.has("count"))
     common.fail("count", "given along with [[blades]], expected only one of them");
   for (const TomlSection& own : one_by_one)
-    blades.push_back(
-        read_blade(own, common, azimuth(blades.size(), one_by_one.size()), rotor, model));
+    blades.push_back(read_blade(own, common, azimuth(blades.size(), one_by_one.size()), rotor,
+                                model, rotors_on_next()));
   return blades;
 }
 

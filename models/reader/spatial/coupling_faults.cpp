@@ -12,6 +12,7 @@
 #include "models/reader/keys/tree_keys.h"
 #include "models/reader/spatial/loop_ends.h"
 #include "models/support/nearest_name.h"
+#include "models/tree/axle_carrier.h"
 
 namespace spoke::spatial {
 namespace {
@@ -86,22 +87,27 @@ void add(const Joint& joint, CouplingEnds& ends) {
     end.is_free.push_back(!coordinate.motion);
 }
 
+void add_axles(const std::vector<int>& rotors, const Model& model, CouplingEnds& ends) {
+  for (const int r : rotors) {
+    CouplingEnd& axle = ends[prefix_of_rotor(model, r) + "axle"];
+    axle.kind = JointKind::revolute;
+    axle.is_free = {!is_hub_prescribed(model, r)};
+  }
+}
+
 }  // namespace
 
-CouplingEnds ends_of(const Blade& blade) {
+CouplingEnds ends_of(const Blade& blade, const std::vector<int>& rotors, const Model& model) {
   CouplingEnds ends;
   for (const BladeJoint& at : blade.joints) add(at.joint, ends);
+  add_axles(rotors, model, ends);
   return ends;
 }
 
 CouplingEnds ends_of(const Subsystem& subsystem, const Model& model) {
   CouplingEnds ends;
   for (const SubsystemJoint& at : subsystem.joints) add(at.joint, ends);
-  for (const int r : find_rotors_on(model, subsystem.name)) {
-    CouplingEnd& axle = ends[prefix_of_rotor(model, r) + "axle"];
-    axle.kind = JointKind::revolute;
-    axle.is_free = {!is_hub_prescribed(model, r)};
-  }
+  add_axles(find_rotors_on(model, subsystem.name), model, ends);
   return ends;
 }
 
@@ -120,11 +126,18 @@ Fault find_fault(const std::vector<Coupling>& couplings, const CouplingEnds& end
 
 namespace {
 
+CouplingEnds ends_on(const Blade& blade, const Model& model) {
+  return ends_of(blade, find_rotors_on(model, blade), model);
+}
+CouplingEnds ends_on(const Subsystem& subsystem, const Model& model) {
+  return ends_of(subsystem, model);
+}
+
 /// Finds the blade or subsystem, by its ends, that a joint names.
 Fault find_elsewhere(const CoupledJoint& at, const Model& model, CouplingEnds& ends) {
   if (Fault fault = find_tree_fault({at.blade, at.subsystem}, model)) return fault;
   if (at.subsystem.empty()) {
-    ends = ends_of(model.blades[static_cast<std::size_t>(at.blade) - 1]);
+    ends = ends_on(model.blades[static_cast<std::size_t>(at.blade) - 1], model);
     return {};
   }
   for (const Subsystem& subsystem : model.subsystems)
@@ -155,11 +168,6 @@ Fault find_fault_across(const std::vector<Coupling>& couplings, const CouplingEn
     if (Fault fault = find_one_fault(couplings[k], own, elsewhere)) return fault.within(path);
   }
   return {};
-}
-
-CouplingEnds ends_on(const Blade& blade, const Model&) { return ends_of(blade); }
-CouplingEnds ends_on(const Subsystem& subsystem, const Model& model) {
-  return ends_of(subsystem, model);
 }
 
 }  // namespace

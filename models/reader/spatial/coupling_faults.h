@@ -20,9 +20,9 @@ struct CouplingEnd {
 /// Joints by their names.
 using CouplingEnds = std::map<std::string, CouplingEnd, std::less<>>;
 
-/// Returns the joints of a blade that have names.
-CouplingEnds ends_of(const Blade& blade);
-/// Returns those of a subsystem; of a support also its axles.
+/// Returns the joints of a blade that have names, and the axles of the rotors that it carries.
+CouplingEnds ends_of(const Blade& blade, const std::vector<int>& rotors, const Model& model);
+/// Returns those of a subsystem; with the axles that it carries.
 CouplingEnds ends_of(const Subsystem& subsystem, const Model& model);
 
 /// Finds a fault of couplings of joints that have none. Of joints elsewhere nothing is known yet.

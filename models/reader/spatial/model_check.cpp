@@ -14,6 +14,7 @@
 #include "models/reader/spatial/loop_ends.h"
 #include "models/reader/spatial/solid_faults.h"
 #include "models/solid/kept_geometry.h"
+#include "models/tree/axle_carrier.h"
 #include "spoke/error.h"
 
 namespace spoke::spatial {
@@ -118,7 +119,7 @@ void check_model(const Model& model) {
   check_each("blades", model.blades, [&](const Blade& blade) {
     if (Fault fault = find_fault(blade)) return fault;
     if (Fault fault = find_fault(blade.loops, surroundings_of(blade, model))) return fault;
-    return find_fault(blade.couplings, ends_of(blade));
+    return find_fault(blade.couplings, ends_of(blade, find_rotors_on(model, blade), model));
   });
   std::set<std::string> names;
   for (std::size_t i = 0; i < model.subsystems.size(); ++i)

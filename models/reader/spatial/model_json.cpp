@@ -19,6 +19,7 @@
 #include "models/reader/spatial/solid_json.h"
 #include "models/reader/spatial/spatial_fields.h"
 #include "models/scenario.h"
+#include "models/tree/axle_carrier.h"
 
 namespace spoke::spatial {
 namespace {
@@ -143,8 +144,12 @@ Json to_json(const Subsystem& subsystem, const Model& model) {
 
 Json to_json(const Axle& axle, SupportBase from) {
   Json json;
-  if (!axle.subsystem.empty()) json.set("subsystem", axle.subsystem);
-  json.set("body", axle.body.empty() ? base_name(from) : axle.body);
+  if (const int blade = find_blade_of(axle); blade > 0) {
+    json.set("blade", blade);
+  } else {
+    if (!axle.subsystem.empty()) json.set("subsystem", axle.subsystem);
+    json.set("body", axle.body.empty() ? base_name(from) : axle.body);
+  }
   if (axle.station) json.set("station", *axle.station);
   if (!axle.interface.empty()) json.set("interface", axle.interface);
   visit_fields(axle, FieldWriter{json});

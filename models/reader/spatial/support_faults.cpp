@@ -9,6 +9,7 @@
 
 #include "models/reader/spatial/fault.h"
 #include "models/support/nearest_name.h"
+#include "models/tree/axle_carrier.h"
 
 namespace spoke::spatial {
 namespace {
@@ -99,10 +100,50 @@ std::size_t find_carrier(const Model& model, int rotor) {
                                           : static_cast<std::size_t>(at - model.subsystems.begin());
 }
 
-/// Finds what is wrong with the subsystem that a rotor names for its axle.
+/// Returns the body of a tree that carries the axle of a rotor; null: its base, or a blade.
+const Body* find_axle_body(const Model& model, int rotor) {
+  const Axle& axle = axle_of(model, rotor);
+  const std::size_t carrier =
+      find_blade_of(axle) > 0 ? model.subsystems.size() : find_carrier(model, rotor);
+  if (carrier == model.subsystems.size()) return nullptr;
+  for (const Body& body : model.subsystems[carrier].bodies)
+    if (body.name == axle.body) return &body;
+  return nullptr;
+}
+
+/// Finds what lacks a hub behind a drive train on a body that bends, see models/tree/drive_train.h.
+Fault find_light_hub(const Model& model, int rotor) {
+  if (!axle_of(model, rotor).train) return {};
+  const Body* const carrier = find_axle_body(model, rotor);
+  const bool is_on_blade = find_blade_of(axle_of(model, rotor)) > 0;
+  if (!is_on_blade && (!carrier || std::holds_alternative<RigidBody>(carrier->shape))) return {};
+  const Hub& hub = hub_of(model, rotor);
+  const std::string why = " of a hub whose drive train stands on a body that bends";
+  if (!(hub.mass > 0.0))
+    return {"mass", "is " + describe(hub.mass) + ", expected a number greater than 0 (kg)" + why};
+  return {};
+}
+
+/// Finds what is wrong with the blade that a rotor names for its axle.
+Fault find_blade_fault(const Model& model, int rotor) {
+  const int number = find_blade_of(axle_of(model, rotor));
+  if (model.blades.empty())
+    return {"blade", "is " + std::to_string(number) + ", but there are no blades; expected none"};
+  if (std::cmp_greater(number, model.blades.size()))
+    return {"blade", "is " + std::to_string(number) + ", expected a whole number from 1 to " +
+                         std::to_string(model.blades.size())};
+  const int carrier = model.blades[static_cast<std::size_t>(number) - 1].rotor;
+  if (carrier < rotor) return {};
+  return {"blade", "is " + std::to_string(number) + ", which the hub of \"" +
+                       hub_of(model, carrier).name +
+                       "\" carries; expected a blade of a rotor before this one"};
+}
+
+/// Finds what is wrong with the blade or subsystem that a rotor names for its axle.
 Fault find_carrier_fault(const Model& model, int rotor) {
   const std::string& name = axle_of(model, rotor).subsystem;
   if (name.empty()) return {};
+  if (find_blade_of(axle_of(model, rotor)) > 0) return find_blade_fault(model, rotor);
   const std::size_t carrier = find_carrier(model, rotor);
   if (carrier == model.subsystems.size()) {
     std::vector<std::string_view> names;
@@ -120,8 +161,28 @@ Fault find_carrier_fault(const Model& model, int rotor) {
                            "\" carries; expected a subsystem of a rotor before this one"};
 }
 
+/// Finds a joint or coupling of a blade, by its number, that has the name of a part of a rotor on
+/// it.
+Fault find_taken_name(const Model& model, int rotor, int number) {
+  const Blade& blade = model.blades[static_cast<std::size_t>(number) - 1];
+  const std::string key = "blades." + std::to_string(number) + '.';
+  for (const TakenName& taken : names_of_rotor(model, rotor)) {
+    const std::string text = "is \"" + taken.name + "\", which is the " + taken.what +
+                             " of a rotor; expected another name";
+    for (std::size_t i = 0; taken.list == "joint" && i < blade.joints.size(); ++i)
+      if (blade.joints[i].joint.name == taken.name)
+        return {key + "joint." + std::to_string(i + 1) + ".name", text};
+    for (std::size_t i = 0; taken.list == "coupling" && i < blade.couplings.size(); ++i)
+      if (blade.couplings[i].name == taken.name)
+        return {key + "coupling." + std::to_string(i + 1) + ".name", text};
+  }
+  return {};
+}
+
 /// Finds a body, joint or coupling of what carries a rotor that has the name of a part of it.
 Fault find_taken_name(const Model& model, int rotor) {
+  if (const int blade = find_blade_of(axle_of(model, rotor)); blade > 0)
+    return find_taken_name(model, rotor, blade);
   const std::size_t carrier = find_carrier(model, rotor);
   if (carrier == model.subsystems.size()) return {};  // found elsewhere
   const Subsystem& tree = model.subsystems[carrier];
@@ -145,12 +206,8 @@ Fault find_taken_name(const Model& model, int rotor) {
   return {};
 }
 
-/// Finds a fault of a drive train. `carrier`: of the axle; null: the fuselage.
-Fault find_train_fault(const DriveTrain& train, const Body* carrier) {
-  if (carrier && !std::holds_alternative<RigidBody>(carrier->shape))
-    return {"body", "is \"" + carrier->name +
-                        "\", which bends, expected a rigid body, as a nacelle, for the housing of "
-                        "the drive train"};
+/// Finds a fault of a drive train.
+Fault find_fault(const DriveTrain& train) {
   const FirstFault first;
   if (train.stiffness == 0.0)
     first.add({"stiffness", "is missing, expected that of the shaft of the drive train (N m/rad)"});
@@ -159,6 +216,18 @@ Fault find_train_fault(const DriveTrain& train, const Body* carrier) {
         {"generator_inertia", "is missing, expected that of the drive train's generator (kg m^2)"});
   visit_fields(train, first);
   if (train.gear_ratio == 0.0) first.add({"gear_ratio", "is 0, expected a number other than 0"});
+  return first.found();
+}
+
+/// Finds a fault of an axle on a blade.
+Fault find_axle_fault(const Axle& axle, const Blade& blade) {
+  const FirstFault first;
+  if (!axle.body.empty())
+    first.add({"body", "is \"" + axle.body + "\", expected none on a blade, which has one beam"});
+  const Body beam{"blade", blade.beam};
+  first.add(find_place_fault(&beam, axle.station, axle.interface));
+  visit_fields(axle, first);
+  if (axle.train) first.add(find_fault(*axle.train));
   return first.found();
 }
 
@@ -179,7 +248,7 @@ Fault find_axle_fault(const Axle& axle, const Support& support, const Subsystem&
   if (!axle.body.empty() && !carrier) first.add({"body", describe_unknown(axle.body, names)});
   if (!first.found()) first.add(find_place_fault(carrier, axle.station, axle.interface));
   visit_fields(axle, first);
-  if (axle.train) first.add(find_train_fault(*axle.train, carrier));
+  if (axle.train) first.add(find_fault(*axle.train));
   return first.found();
 }
 
@@ -210,7 +279,10 @@ Fault find_fault(const Support& support, const Subsystem& tree) {
   if (tree.azimuth != 0.0)
     first.add({"azimuth", "is " + describe(tree.azimuth) +
                               ", but a support does not stand around the hub's axis; expected 0"});
-  if (!support.axle.subsystem.empty())
+  if (const int blade = find_blade_of(support.axle); blade > 0)
+    first.add({"axle.blade", "is " + std::to_string(blade) +
+                                 ", but the first rotor stands on the support; expected none"});
+  else if (!support.axle.subsystem.empty())
     first.add(
         {"axle.subsystem", "is \"" + support.axle.subsystem +
                                "\", but the first rotor stands on the support; expected none"});
@@ -222,6 +294,7 @@ Fault find_fault(const Support& support, const Subsystem& tree) {
 
 Fault find_carried_fault(const Model& model) {
   if (Fault fault = find_hub_fault(model, 0).within("hub")) return fault;
+  if (Fault fault = find_light_hub(model, 0).within("hub")) return fault;
   return find_taken_name(model, 0);
 }
 
@@ -240,10 +313,15 @@ Fault find_rotors_fault(const Model& model) {
       first.add(find_fault(hub_of(model, r)).within("hub"));
       if (!first.found()) first.add(find_hub_fault(model, r).within("hub"));
       if (!first.found()) first.add(find_carrier_fault(model, r).within("axle"));
-      if (!first.found())
-        first.add(find_axle_fault(axle_of(model, r), *model.support,
-                                  model.subsystems[find_carrier(model, r)])
-                      .within("axle"));
+      if (!first.found()) {
+        const Axle& axle = axle_of(model, r);
+        const int blade = find_blade_of(axle);
+        first.add(
+            (blade > 0
+                 ? find_axle_fault(axle, model.blades[static_cast<std::size_t>(blade) - 1])
+                 : find_axle_fault(axle, *model.support, model.subsystems[find_carrier(model, r)]))
+                .within("axle"));
+      }
     }
     if (first.found()) return first.found().within(key);
     if (Fault taken = r > 0 ? find_taken_name(model, r) : Fault{}) return taken;

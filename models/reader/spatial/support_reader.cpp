@@ -4,10 +4,12 @@
 
 #include <algorithm>
 
+#include "models/reader/names.h"
 #include "models/reader/row_reader.h"
 #include "models/reader/spatial/body_reader.h"
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/vector_reader.h"
+#include "models/tree/axle_carrier.h"
 
 namespace spoke::spatial {
 namespace {
@@ -30,15 +32,25 @@ TomlSection axle_section(const TomlSection& owner) {
 }  // namespace
 
 std::string read_axle_carrier(const TomlSection& owner) {
-  return axle_section(owner).text("subsystem", "");
+  const TomlSection section = axle_section(owner);
+  if (section.has("blade")) {
+    if (section.has("subsystem"))
+      section.fail("blade", "given along with subsystem, expected only one of them");
+    return name_of_blade(static_cast<std::size_t>(section.integer("blade", {1, kMostOfAKind})));
+  }
+  const std::string name = section.text("subsystem", "");
+  // Blades are named by their numbers alone.
+  if (!name.empty() && !is_name(name))
+    section.fail("subsystem", "is \"" + name + "\", expected " + kNameExpected);
+  return name;
 }
 
 Axle read_axle(const TomlSection& owner, const Subsystem& tree, SupportBase from) {
   const TomlSection section = axle_section(owner);
   Axle axle;
-  axle.subsystem = section.text("subsystem", "");
+  axle.subsystem = read_axle_carrier(owner);
   axle.body = section.text("body", "");
-  if (!section.has("body") && !tree.bodies.empty())
+  if (!section.has("body") && !tree.bodies.empty() && find_blade_of(axle) == 0)
     section.fail("body", "is missing, expected the name of the body that carries the axle");
   axle.station = read_station(section, tree, axle.body);
   axle.interface = section.text("interface", "");

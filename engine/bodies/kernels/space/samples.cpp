@@ -9,14 +9,16 @@
 #include "engine/bodies/kernels/space/table_terms.h"
 #include "engine/bodies/space/body_energies.h"
 #include "engine/bodies/table/body_kind.h"
+#include "models/system/tip_body.h"
 
 namespace spoke {
 namespace {
 
-/// Returns the displacement of the tip from its undeformed place, hub frame [m].
-space::Position calc_tip(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data) {
-  assert(data.poses.size() == data.bodies.size() && !data.bodies.empty());
-  const std::size_t last = data.bodies.size() - 1;
+/// Returns the displacement of the tip, which is on body `last`, from its undeformed place, hub
+/// frame [m].
+space::Position calc_tip(const Subsystem<Space>& subsystem, const SubsystemData<Space>& data,
+                         std::size_t last) {
+  assert(data.poses.size() == data.bodies.size() && last < data.bodies.size());
   space::Position tip = data.poses[last].p +
                         data.poses[last].R * data.bodies[last].kind->find_tip(data.bodies[last]) -
                         subsystem.tip;
@@ -64,7 +66,7 @@ SubsystemSample<Space> calc_sample(const System<Space>& system, std::size_t i,
   const Subsystem<Space>& subsystem = system.subsystems[i];
   calc_poses(subsystem, data, data.poses);
   SubsystemSample<Space> sample;
-  sample.tip = calc_tip(subsystem, data);
+  sample.tip = calc_tip(subsystem, data, find_tip_body(system, i));
   sample.root = data.root_load;
   if (!data.loops.is_empty()) sample.strain = calc_closure_energy(subsystem, data.loops);
   const HubState<Space>& hub = *data.hub;

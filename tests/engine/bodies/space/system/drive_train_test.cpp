@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -92,7 +93,7 @@ TEST_CASE(
   REQUIRE(tree.bodies[1].is_generator());
   const auto& carrier = std::get<spatial::RigidBody>(tree.bodies[0].shape);
   const spatial::RigidBody housing = without_shares(carrier, tree, 0);
-  const spatial::RigidBody generator = with_share(tree.bodies[1], carrier);
+  const spatial::RigidBody generator = with_share(tree, 1, {});
   const auto of = [](const spatial::RigidBody& body, const spatial::Placement& at) {
     const spatial::Vector c = at.position + at.rotation * body.center;
     const spatial::Tensor own = at.rotation * body.inertia * at.rotation.transpose();
@@ -183,6 +184,96 @@ TEST_CASE("formulations agree on a flying rotor behind a drive train") {
     for (const Formulation formulation : kFormulations)
       check_step_declarations(system, formulation, method);
   }
+}
+
+namespace {
+
+/// A mast that is held at its root and carries the axle at its tip, or a nacelle of a mass there.
+std::string make_mast(const std::string& base, const std::string& drive, double nacelle = 0.0) {
+  const std::string mass = std::to_string(nacelle);
+  const bool has_nacelle = nacelle > 0.0;
+  return "world='space'\n[hub]\naxis=[1,0,0]\nmass=20\ninertia=[40,21,21]\n[hub.drive]\n" + drive +
+         "[support]\n" + base +
+         "body=[ { name='mast', kind='beam', length=1, elements=2, sections={ mass_per_length=3, "
+         "axial_stiffness=1e7, flap_stiffness=2e5, lag_stiffness=3e5, torsion_stiffness=2e4, "
+         "flap_inertia=5e-4, lag_inertia=5e-4 } }" +
+         (has_nacelle
+              ? ", { name='nacelle', kind='rigid', mass=" + mass + ", inertia=" + mass + " }"
+              : "") +
+         " ]\njoint=[ { parent='" + (base.empty() ? "ground" : "fuselage") +
+         "', child='mast', kind='fixed' }" +
+         (has_nacelle ? ", { parent='mast', child='nacelle', kind='fixed' }" : "") +
+         " ]\n[support.axle]\nbody='" + (has_nacelle ? "nacelle" : "mast") +
+         "'\nstiffness=5e4\ngear_ratio=12\ngenerator_inertia=0.07\n"
+         "[integration]\nstep=1e-3\nduration=1\n";
+}
+
+/// A flying one that bends easily.
+std::string make_flying_mast(const std::string& drive) {
+  std::string text =
+      make_mast("from='free'\nmass=80\ninertia=[9,12,11]\nangular_velocity=[2,5,-3]\n", drive);
+  text.erase(text.find("sections={"), text.find(" } }") - text.find("sections={"));
+  return text.insert(text.find("elements=2, ") + 12,
+                     "bodies=1, sections={ mass_per_length=3, axial_stiffness=1e6, "
+                     "flap_stiffness=2e3, lag_stiffness=3e3, torsion_stiffness=2e3, "
+                     "flap_inertia=5e-3, lag_inertia=5e-3");
+}
+
+}  // namespace
+
+TEST_CASE("a drive train on a beam has the frequencies of shaft and beam in torsion") {
+  // The mast's own inertia, as of a linear shape, is next to none.
+  constexpr double kTorsion = 2e4, kOwn = 1e-3 / 3.0;
+  Eigen::Matrix3d M;
+  M << kOwn + kHubInertia + kGeneratorInertia, kHubInertia, kGeneratorInertia, kHubInertia,
+      kHubInertia, 0.0, kGeneratorInertia, 0.0, kGeneratorInertia;
+  const Eigen::Vector3d turn(0.0, 1.0, -1.0 / kTeeth), roll = Eigen::Vector3d::UnitX();
+  const Eigen::Matrix3d K = kShaft * turn * turn.transpose() + kTorsion * roll * roll.transpose();
+  const Eigen::VectorXd squares =
+      Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix3d>(K, M).eigenvalues();
+  const ModesResult found =
+      solve_modes(parse_scenario(make_mast("", "kind='free'\n"), "f"), {.state = {.speed = 0.0}});
+  double nearest = 1.0;
+  for (const Mode& mode : found.modes)
+    nearest = std::min(nearest, std::abs(std::abs(mode.eigenvalue) / std::sqrt(squares[1]) - 1.0));
+  CHECK(nearest < 1e-5);
+}
+
+TEST_CASE("a drive train on a beam moves as on a rigid body of next to no mass between") {
+  const std::string drive = "kind='torque'\ntorque=30\ninitial_speed=6\n";
+  const auto find = [&drive](double nacelle) {
+    Simulation simulation(parse_scenario(
+        make_mast("", drive, nacelle) + "[[hub_load]]\nforce=[5,40,30]\nposition=[0.3,0,0]\n",
+        "f"));
+    simulation.run_until(0.1);
+    return Eigen::Vector4d(simulation.sensor("hub.angle"), simulation.sensor("hub.x"),
+                           simulation.sensor("hub.y"), simulation.sensor("hub.z"));
+  };
+  const Eigen::Vector4d none = find(0.0);
+  CHECK(none.norm() > 1e-2);
+  for (const double nacelle : {1e-2, 1e-3}) CHECK((find(nacelle) - none).norm() < 1e-6);
+}
+
+TEST_CASE("a drive train on a beam: formulations, momentum and energy, executors") {
+  check_conservation(make_system(parse_model(make_flying_mast("kind='free'\ninitial_speed=40\n"))),
+                     0.1, 2e-4);
+  const System<Space> system =
+      make_system(parse_model(make_flying_mast("kind='torque'\ntorque=30\ninitial_speed=6\n")));
+  check_formulations(system, make_generalized_alpha(0.8, 1e-3), 100, 1e-9);
+  check_equal_bits(system, make_generalized_alpha(0.8, 1e-3), 30);
+  for (const Formulation formulation : kFormulations)
+    check_step_declarations(system, formulation, make_generalized_alpha(0.8, 1e-3));
+}
+
+TEST_CASE("a drive train on a beam needs a hub with mass") {
+  std::string text = make_mast("", "kind='free'\n");
+  text.replace(text.find("mass=20"), 7, "mass=0");
+  text +=
+      "[blade]\ncount=2\nlength=2\nsections={ mass_per_length=2, axial_stiffness=4e5, "
+      "flap_stiffness=1e3, lag_stiffness=2e3, torsion_stiffness=800 }\n";
+  CHECK(contains(message_of([&text] { parse_scenario(text, "f"); }),
+                 "hub.mass: is 0, expected a number greater than 0 (kg) of a hub whose drive train "
+                 "stands on a body that bends"));
 }
 
 TEST_CASE("drive trains that cannot be are refused") {
