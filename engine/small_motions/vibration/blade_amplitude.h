@@ -18,7 +18,12 @@ struct Amplitude {
   bool is_sine = false;
   bool is_differential = false;
   Eigen::Index at = 0;  ///< of its coordinates among all
-  std::string name{};   ///< "collective"
+  std::string name{};   ///< "collective"; of a shaft empty
+
+  /// Returns the name of this amplitude of a signal.
+  std::string of(const std::string& signal) const {
+    return name.empty() ? signal : signal + ' ' + name;
+  }
 
   double at_azimuth(double psi) const {
     if (multiple == 0 || is_differential) return 1.0;

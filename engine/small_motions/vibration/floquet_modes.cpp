@@ -168,9 +168,15 @@ void add_floquet_modes(const ModeCount& count, const Linearised& all, steady::St
     throw InputError("nothing of the model moves, expected a body or a joint that does");
   const Index wanted = find_count(count, system.size(), "the model", result);
   require_periodic(system);
-  if (whole && can_have_orbit(all))
+  if (whole && can_have_orbit(all)) {
     if (const auto orbit = find_periodic_orbit(all, system, *whole))
       system = linearise_along(*orbit, all, system, *whole);
+  } else if (whole && is_turned_against(all, *whole)) {
+    result.notes.emplace_back(
+        "gravity, loads and wind across the axis count by their part along it alone: the periodic "
+        "motion under them is found where the hub has no motion but its turn, springs hold all "
+        "closures of loops, and no joint relaxes");
+  }
   const Periodically rotor{all, frame, system};
   std::map<std::string, int> numbers;
   std::map<std::string, KindNames> kinds;

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "engine/small_motions/vibration/family_blades.h"
+#include "engine/small_motions/vibration/shaft_turn.h"
 
 namespace spoke::vibration {
 namespace {
@@ -73,6 +74,8 @@ class InputFinder {
       : all_(all), T_(T), samples_(sample_effects(scenario, all)) {}
 
   void add_family(const BladeFamily& family);
+  /// Adds what acts on a shaft along standing axes.
+  void add_shaft(const BladeFamily& family);
   /// Adds what acts on a subsystem that is no blade of a family.
   void add_subsystem(std::size_t i);
   void add_hub(std::size_t hub);
@@ -201,17 +204,54 @@ void InputFinder::add_family(const BladeFamily& family) {
     for (const Open& left : open[b]) found_.left_out.push_back(left.input.input.name);
 }
 
-/// Returns the wrench along standing axes; none if it turns.
-std::optional<VectorXd> InputFinder::stand(const std::array<VectorXd, kAzimuths>& wrench) const {
-  VectorXd mean = VectorXd::Zero(wrench[0].size());
-  std::array<VectorXd, kAzimuths> standing;
-  for (std::size_t k = 0; k < kAzimuths; ++k) {
-    standing[k] = T_.at(azimuth_of(static_cast<int>(k))) * wrench[k];
-    mean += standing[k] / kAzimuths;
-  }
-  for (const VectorXd& value : standing)
+/// Returns the mean of values at the azimuths that are the same; none if they are not.
+std::optional<VectorXd> find_common(const std::array<VectorXd, kAzimuths>& values) {
+  VectorXd mean = VectorXd::Zero(values[0].size());
+  for (const VectorXd& value : values) mean += value / kAzimuths;
+  for (const VectorXd& value : values)
     if ((value - mean).norm() > kAlikeEffects * value.norm()) return std::nullopt;
   return mean;
+}
+
+/// Returns the wrench along standing axes; none if it turns.
+std::optional<VectorXd> InputFinder::stand(const std::array<VectorXd, kAzimuths>& wrench) const {
+  return find_common(at_azimuths(
+      [&](int k) { return VectorXd(T_.at(azimuth_of(k)) * wrench[static_cast<std::size_t>(k)]); }));
+}
+
+void InputFinder::add_shaft(const BladeFamily& family) {
+  const FamilyBlade shaft = list_blades(family, all_)[0];
+  const std::size_t i = shaft.subsystem;
+  const MatrixXd& Z = all_.linear.subsystem(i).basis;
+  const MatrixXd following = find_following(i, all_);
+  std::vector<BladeInput>& list = found_.families.emplace_back();
+  for (std::size_t k = 0; k < count(); ++k) {
+    if (!acts_on(k, shaft)) continue;
+    const auto force = find_common(at_azimuths([&](int sample) {
+      const VectorXd& by = effect(sample, k, i).force;
+      return VectorXd(turn_by(family.turn, -azimuth_of(sample)).transpose() *
+                      (Z.rows() > 0 ? VectorXd(Z.transpose() * by) : by));
+    }));
+    const auto on_hub = stand(at_azimuths([&](int sample) {
+      const LoadEffect& by = effect(sample, k, i);
+      return following.size() > 0 ? VectorXd(by.hub_force + following.transpose() * by.force)
+                                  : VectorXd(by.hub_force);
+    }));
+    const LinearSignal signal = name(k, shaft.name());
+    if (!force || !on_hub) {
+      found_.left_out.push_back(signal.name);
+      continue;
+    }
+    VectorXd shown = VectorXd::Zero(shaft.outputs.count);
+    for (int sample = 0; sample < kAzimuths; ++sample)
+      shown += shaft.model->turn_outputs(shaft.own, -azimuth_of(sample)) *
+               shaft.outputs.of(effect(sample, k, i).outputs) / kAzimuths;
+    const auto standing = [](const VectorXd& mean) {
+      const MatrixXd zero = MatrixXd::Zero(mean.size(), 1);
+      return Turning{mean, zero, zero};
+    };
+    list.push_back({signal, standing(*force), standing(*on_hub), {standing(shown)}});
+  }
 }
 
 /// Adds an input by what it does to a hub at the azimuths.
@@ -274,7 +314,7 @@ MultiBladeInputs find_inputs(const Scenario& scenario, const Linearised& all,
   InputFinder finder(scenario, all, T);
   std::vector<bool> is_blade(all.model.subsystems(), false);
   for (const BladeFamily& family : frame.families) {
-    finder.add_family(family);
+    family.is_shaft() ? finder.add_shaft(family) : finder.add_family(family);
     for (const std::size_t i : family.blades) is_blade[i] = true;
   }
   for (std::size_t i = 0; i < is_blade.size(); ++i)

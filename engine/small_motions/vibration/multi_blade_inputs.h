@@ -14,7 +14,7 @@
 namespace spoke::vibration {
 
 /// An input that all blades of a family have alike: what raising it by one on one blade does there,
-/// by the azimuth of the blade. Matrices have one column.
+/// by the azimuth of the blade. Matrices have one column. Of a shaft all is along standing axes.
 struct BladeInput {
   LinearSignal input;  ///< "blades 1 to 3 / load.1"
   Turning force;       ///< on the independent coordinates of the blade

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 
+#include "engine/small_motions/steady/at_azimuth.h"
 #include "engine/small_motions/steady/output_derivatives.h"
 #include "engine/small_motions/vibration/family_blades.h"
 #include "engine/small_motions/vibration/multi_blade_inputs.h"
+#include "engine/small_motions/vibration/shaft_turn.h"
 
 namespace spoke::vibration {
 namespace {
@@ -64,10 +66,96 @@ MatrixXd extend(const MatrixXd& top, Index rows) {
   return extended;
 }
 
+/// What a shaft shows at an azimuth, along standing axes: rows by its coordinates as they are seen
+/// from outside, by their rates, and by the hub's.
+struct ShaftRows {
+  MatrixXd by_y, by_rate;
+  SecondOrder by_hub;
+};
+
+/// `by`: along the hub's axes, with a row each for coordinates of joints behind the outputs.
+ShaftRows stand_rows(double psi, const BladeFamily& family, const FamilyBlade& shaft,
+                     const steady::OutputDerivatives& by, const Linearised& all,
+                     const StandingAxes& axes) {
+  const MatrixXd back = turn_by(family.turn, -psi);
+  MatrixXd turn = MatrixXd::Identity(by.by_q.rows(), by.by_q.rows());
+  turn.topLeftCorner(shaft.outputs.count, shaft.outputs.count) =
+      shaft.model->turn_outputs(shaft.own, -psi);
+  const steady::LinearSubsystem& own = all.linear.subsystem(shaft.subsystem);
+  const MatrixXd by_y = turn * by_independent(by.by_q, by.by_forces, own);
+  const MatrixXd by_rate = turn * by_independent(by.by_v, MatrixXd(), own);
+  const SecondOrder hub = stand_columns(make_hub_columns(shaft.subsystem, by, all), axes);
+  const MatrixXd T = axes.T.at(psi).transpose();
+  // y = exp(-G psi) z, y' = exp(-G psi) (z' - W G z)
+  return {by_y * back - axes.speed * by_rate * back * family.turn,
+          by_rate * back,
+          {turn * hub.M * T, turn * hub.C * T, turn * hub.K * T}};
+}
+
+/// Whether a row is the same in matrices at two azimuths.
+bool is_constant(Index row, const ShaftRows& a, const ShaftRows& b) {
+  constexpr double kSame = 1e-6;
+  const auto same = [row](const MatrixXd& x, const MatrixXd& y) {
+    return (x.row(row) - y.row(row)).norm() <= kSame * x.row(row).norm() + 1e-12 * x.norm();
+  };
+  return same(a.by_y, b.by_y) && same(a.by_rate, b.by_rate) && same(a.by_hub.M, b.by_hub.M) &&
+         same(a.by_hub.C, b.by_hub.C) && same(a.by_hub.K, b.by_hub.K);
+}
+
+/// Takes derivatives to rows for all outputs of a shaft, and behind them for these coordinates.
+steady::OutputDerivatives append_joints(steady::OutputDerivatives by,
+                                        const std::vector<Index>& joints) {
+  const Index first = by.by_q.rows(), more = std::ssize(joints);
+  for (MatrixXd* m :
+       {&by.by_q, &by.by_v, &by.by_turn, &by.by_twist, &by.by_acceleration, &by.by_forces})
+    *m = extend(*m, more);
+  for (Index k = 0; k < more; ++k) by.by_q(first + k, joints[static_cast<std::size_t>(k)]) = 1.0;
+  return by;
+}
+
+/// Finds what a shaft shows: outputs whose dependence on what is seen from outside is constant.
+BladeOutputs find_shaft_outputs(const BladeFamily& family, const Linearised& all,
+                                const StandingAxes& axes, std::vector<std::string>& left_out) {
+  const FamilyBlade shaft = list_blades(family, all)[0];
+  const std::size_t i = shaft.subsystem;
+  std::vector<LinearSignal> signals = shaft.model->outputs(shaft.own);
+  for (LinearSignal& signal : signals) signal.name = strip(signal.name);
+  std::vector<Index> joints;
+  for (Index k = 0; k < shaft.coordinates.count; ++k) {
+    const steady::SubsystemCoordinate& coordinate =
+        shaft.model->coordinates(shaft.own)[static_cast<std::size_t>(k)];
+    if (coordinate.node >= 0) continue;
+    joints.push_back(shaft.coordinates.first + k);
+    signals.push_back({coordinate.name, coordinate.unit()});
+  }
+  const steady::OutputDerivatives by = append_joints(
+      calc_output_derivatives(i, steady::make_state(all.equilibrium.q[i]), all.model), joints);
+  const ShaftRows here = stand_rows(0.0, family, shaft, by, all, axes);
+  const ShaftRows there = stand_rows(steady::kElsewhere, family, shaft, by, all, axes);
+  BladeOutputs outputs;
+  std::vector<Index> rows;
+  for (std::size_t k = 0; k < signals.size(); ++k) {
+    const auto row = static_cast<Index>(k);
+    if (!is_constant(row, here, there)) {
+      left_out.push_back(shaft.name() + '.' + signals[k].name);
+      continue;
+    }
+    rows.push_back(row);
+    if (row < shaft.outputs.count) outputs.shown.push_back(row);
+    outputs.signals.push_back(signals[k]);
+  }
+  const auto take = [&rows](const MatrixXd& m) { return MatrixXd(m(rows, Eigen::all)); };
+  outputs.by_y = {take(here.by_y)};
+  outputs.by_rate = {take(here.by_rate)};
+  outputs.by_hub = {take(here.by_hub.M), take(here.by_hub.C), take(here.by_hub.K)};
+  return outputs;
+}
+
 }  // namespace
 
 BladeOutputs find_outputs(const BladeFamily& family, const Linearised& all,
                           const StandingAxes& axes, std::vector<std::string>& left_out) {
+  if (family.is_shaft()) return find_shaft_outputs(family, all, axes, left_out);
   const std::vector<FamilyBlade> blades = list_blades(family, all);
   const FamilyBlade& blade = blades[0];
   const std::size_t i = blade.subsystem;

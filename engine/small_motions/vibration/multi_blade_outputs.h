@@ -19,14 +19,14 @@ struct BladeOutputs {
   /// blade further on in their ring.
   std::vector<Eigen::MatrixXd> by_y, by_rate;
   /// By all components of the hub's motion along standing axes, seen from the blade: see
-  /// stand_columns().
+  /// stand_columns(). Of a shaft all is along standing axes.
   SecondOrder by_hub;
   /// Rows that are outputs of the model, SteadyModel::outputs(); joints' coordinates follow.
   std::vector<Eigen::Index> shown;
 };
 
-/// Finds what all blades of a family show. Adds the columns of sensors that are on some only to
-/// `left_out`. `axes`: of all components of a twist.
+/// Finds what all blades of a family show. Adds the columns of sensors that are on some only, and
+/// those of a shaft that turn with it, to `left_out`. `axes`: of all components of a twist.
 BladeOutputs find_outputs(const BladeFamily& family, const Linearised& all,
                           const StandingAxes& axes, std::vector<std::string>& left_out);
 

@@ -142,7 +142,9 @@ std::vector<Amplitude> MultiBladeAssembly::list_amplitudes(std::size_t family) c
       list.push_back({k, n, true, false, at + pattern.size, "sine" + order});
     } else {
       list.push_back({k, n, false, pattern.is_differential, at,
-                      pattern.is_differential ? "differential" : "collective"});
+                      frame_.families[family].is_shaft() ? ""
+                      : pattern.is_differential          ? "differential"
+                                                         : "collective"});
     }
   }
   return list;
@@ -173,7 +175,7 @@ void MultiBladeAssembly::name_states() {
     for (const Amplitude& amplitude : amplitudes_[f])
       for (const steady::SubsystemCoordinate& coordinate :
            list_independent(list_blades(family, all_)[0], all_.linear))
-        states.push_back({of + coordinate.name + ' ' + amplitude.name, coordinate.unit()});
+        states.push_back({amplitude.of(of + coordinate.name), coordinate.unit()});
   }
   assert(std::ssize(states) == size_);
   for (std::size_t k = 0; k < static_cast<std::size_t>(size_); ++k)
@@ -197,8 +199,11 @@ void MultiBladeAssembly::add_blade_inputs(std::size_t family) {
         force.segment(to.at, input.force.mean.rows()) = to.size() * average(to, by).of(input.force);
       if (!by.is_differential && hub_size() > 0)
         force.head(hub_size()) =
-            blades_of(family) * hub.motion.transpose() * average_on_hub(hub.axes.T, input.hub, by);
-      add_input({input.input.name + ' ' + by.name, input.input.unit}, force);
+            hub.motion.transpose() *
+            (frame_.families[family].is_shaft()
+                 ? VectorXd(input.hub.mean)
+                 : VectorXd(blades_of(family) * average_on_hub(hub.axes.T, input.hub, by)));
+      add_input({by.of(input.input.name), input.input.unit}, force);
     }
 }
 
@@ -362,7 +367,7 @@ void MultiBladeAssembly::add_pattern_outputs(std::size_t family, const BladeOutp
   const Index row = std::ssize(result_.outputs);
   const std::string of = name_family(frame_.families[family], all_.model) + " / ";
   for (const LinearSignal& signal : outputs.signals)
-    add_output({of + signal.name + ' ' + to.name, signal.unit});
+    add_output({to.of(of + signal.name), signal.unit});
   const RingSums by_y = sum_ring(outputs.by_y, to), by_rate = sum_ring(outputs.by_rate, to);
   C_.add(row, to.at, by_y.by_same);
   C_.add(row, size_ + to.at, by_rate.by_same);
@@ -380,10 +385,12 @@ void MultiBladeAssembly::add_pattern_outputs(std::size_t family, const BladeOutp
       D_.add(row, column++, MatrixXd(show(input, to, by)(outputs.shown, Eigen::all)));
   if (hub_size() == 0 || to.is_differential || to.multiple > 1) return;
   const Turning& T = hub_of(family).axes.T;
-  const MatrixXd turn = (to.multiple == 0 ? T.mean
-                         : to.is_sine     ? MatrixXd(T.sine.transpose())
-                                          : T.cosine) *
-                        hub_of(family).motion;
+  const MatrixXd turn = frame_.families[family].is_shaft()
+                            ? hub_of(family).motion
+                            : MatrixXd((to.multiple == 0 ? T.mean
+                                        : to.is_sine     ? MatrixXd(T.sine.transpose())
+                                                         : T.cosine) *
+                                       hub_of(family).motion);
   const SecondOrder& by = outputs.by_hub;
   add_hub_rows(row, {by.M * turn, by.C * turn, by.K * turn});
 }
@@ -435,14 +442,7 @@ void MultiBladeAssembly::add_hub_outputs() {
 LinearSystem MultiBladeAssembly::make() {
   result_.frame = ModeFrame::fixed;
   const std::size_t families = frame_.families.size();
-  for (std::size_t f = 0; f < families; ++f) {
-    if (frame_.families[f].is_shaft())
-      throw InputError("the frame \"fixed\" expects blades, got the shaft " +
-                       all_.model.name_of(frame_.families[f].blades[0]) +
-                       ", whose sensors and loads turn with it: expected \"turning\", with "
-                       "bearings that are alike in all directions");
-    amplitudes_.push_back(list_amplitudes(f));
-  }
+  for (std::size_t f = 0; f < families; ++f) amplitudes_.push_back(list_amplitudes(f));
   name_states();
   for (std::size_t f = 0; f < families; ++f) add_blade_inputs(f);
   add_standing_inputs();

@@ -87,20 +87,18 @@ class Balance {
   PeriodicWake wake_;
 };
 
-/// Whether forces on the model at rest in its equilibrium change with the azimuth.
-bool is_turned_against(const Linearised& all, const PeriodicSystem& mean, SteadyModel& whole) {
-  constexpr double kRoundOff = 1e-11;
-  Balance balance(all, mean, whole);
-  const VectorXd zero = VectorXd::Zero(mean.size());
-  double scale = all.equilibrium.force_scale, change = 0.0;
-  const std::optional<VectorXd> first = balance.at(0.0, zero, zero, zero);
-  for (const double psi : {1.0, 2.0, 3.0, 4.0, 5.0}) {
-    const std::optional<VectorXd> now = balance.at(psi, zero, zero, zero);
-    if (!first || !now) return true;
-    scale = std::max(scale, now->lpNorm<Eigen::Infinity>());
-    change = std::max(change, (*now - *first).lpNorm<Eigen::Infinity>());
+/// Returns the forces on all coordinates where the model is in its equilibrium, at an azimuth; none
+/// beyond its limits.
+std::optional<VectorXd> calc_forces_at(double psi, const Linearised& all, SteadyModel& whole) {
+  whole.move_hub(psi, 0.0, 0.0);
+  std::vector<double> forces;
+  for (std::size_t i = 0; i < whole.subsystems(); ++i) {
+    steady::SubsystemResponse response;
+    whole.evaluate(i, steady::make_state(all.equilibrium, i), whole.no_offset(), response);
+    if (!response.is_valid) return std::nullopt;
+    forces.insert(forces.end(), response.force.begin(), response.force.end());
   }
-  return change > kRoundOff * scale;
+  return Eigen::Map<const VectorXd>(forces.data(), std::ssize(forces));
 }
 
 /// Answers of the mean system to the harmonics of forces.
@@ -274,12 +272,26 @@ bool can_have_orbit(const Linearised& all) {
   return true;
 }
 
+bool is_turned_against(const Linearised& all, SteadyModel& whole) {
+  constexpr double kRoundOff = 1e-11;
+  for (std::size_t i = 0; i < whole.subsystems(); ++i)
+    whole.settle_at(i, all.model.absolute(i, all.equilibrium.q[i]));
+  double scale = all.equilibrium.force_scale, change = 0.0;
+  const std::optional<VectorXd> first = calc_forces_at(0.0, all, whole);
+  for (const double psi : {1.0, 2.0, 3.0, 4.0, 5.0}) {
+    const std::optional<VectorXd> now = calc_forces_at(psi, all, whole);
+    if (!first || !now) return true;
+    if (now->size() == 0) return false;
+    scale = std::max(scale, now->lpNorm<Eigen::Infinity>());
+    change = std::max(change, (*now - *first).lpNorm<Eigen::Infinity>());
+  }
+  return change > kRoundOff * scale;
+}
+
 std::optional<PeriodicOrbit> find_periodic_orbit(const Linearised& all, const PeriodicSystem& mean,
                                                  SteadyModel& whole) {
   assert(can_have_orbit(all));
-  for (std::size_t i = 0; i < whole.subsystems(); ++i)
-    whole.settle_at(i, all.model.absolute(i, all.equilibrium.q[i]));
-  if (!is_turned_against(all, mean, whole)) return std::nullopt;
+  if (!is_turned_against(all, whole)) return std::nullopt;
   const VectorXd scale = find_scale(mean, whole);
   Balance balance(all, mean, whole);
   MatrixXcd harmonics = MatrixXcd::Zero(mean.size(), kLeastHarmonics + 1);

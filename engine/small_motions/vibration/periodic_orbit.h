@@ -25,6 +25,9 @@ struct PeriodicOrbit {
 /// if springs hold all closures of loops, and no joint relaxes.
 bool can_have_orbit(const Linearised& all);
 
+/// Whether forces on the model in its equilibrium change with the azimuth. `whole`: as below.
+bool is_turned_against(const Linearised& all, steady::SteadyModel& whole);
+
 /// Finds the motion. `mean`: the linear model without what turns against it; `whole`: the same
 /// model made with SteadyOptions::is_whole, which is left in some state of the motion. None:
 /// nothing turns against the model. Forces are those of the model, without a bound of amplitude;

@@ -321,4 +321,16 @@ TEST_CASE("hinges that relax have the periodic modes of a chain, and those of ot
   }
 }
 
+TEST_CASE("a note says where gravity across the axis counts in the mean alone") {
+  const ModeOptions floquet{.count = 4, .frame = ModeFrame::floquet};
+  const auto notes = [&](const std::string& text) {
+    std::string all;
+    for (const std::string& note : solve_modes(read(text), floquet).notes) all += note;
+    return all;
+  };
+  const std::string words = "count by their part along it alone", text = rotor(false, false, 2);
+  CHECK_FALSE(contains(notes(text), words));
+  CHECK(contains(notes(text + "[gravity]\nacceleration = [0.0, -9.81, 0.0]\n"), words));
+}
+
 }  // namespace spoke

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -19,6 +20,7 @@
 #include "engine/linearize.h"
 #include "engine/modes.h"
 #include "models/error.h"
+#include "models/scenario.h"
 #include "tests/message_of.h"
 
 namespace spoke {
@@ -26,6 +28,7 @@ namespace {
 
 using doctest::Approx;
 using test::make_shaft;
+using test::make_shaft_text;
 using test::message_of;
 using test::Shaft;
 using Complex = std::complex<double>;
@@ -199,9 +202,88 @@ TEST_CASE("shafts: a flat one takes the frame that its bearings allow, with a no
   CHECK(message_of([&] {
           solve_linear_system(make_shaft(flat), {}, std::nullopt);
         }).find("the frame \"turning\" expects springs alike") != std::string::npos);
-  CHECK(message_of([&] {
-          solve_linear_system(make_shaft({.speed = 9.0}), {}, ModeFrame::fixed);
-        }).find("got the shaft rotor, whose sensors and loads turn with it") != std::string::npos);
+}
+
+/// Loads on the first disc, which turn with the shaft or stand, and its displacement.
+const std::string kPushed = R"(
+[[load]]
+name = "turning"
+subsystem = "rotor"
+body = "first"
+frame = "hub"
+force = [0.0, 1.0, 0.0]
+time = [0.0, 1.0]
+factor = [0.0, 0.0]
+[[load]]
+name = "standing"
+subsystem = "rotor"
+body = "first"
+frame = "inertial"
+force = [0.0, 1.0, 0.0]
+time = [0.0, 1.0]
+factor = [0.0, 0.0]
+[[sensor]]
+name = "disc"
+quantity = "displacement"
+subsystem = "rotor"
+body = "first"
+frame = "hub"
+[[sensor]]
+name = "bent"
+quantity = "section_force"
+subsystem = "rotor"
+body = "shaft"
+position = 0.3
+)";
+
+/// Returns the answer x + i y of a disc to a circling force of this form, by that to a force along
+/// y: directions across the hub's axis, which is z in its frame, are alike.
+Complex answer(const LinearSystem& of, const std::string& load, const std::string& sensor,
+               Complex s) {
+  const auto index = [](const std::vector<LinearSignal>& all, const std::string& end) {
+    for (std::size_t k = 0; k < all.size(); ++k)
+      if (all[k].name.ends_with(end)) return static_cast<Eigen::Index>(k);
+    FAIL(end << " is missing");
+    return Eigen::Index{-1};
+  };
+  const Eigen::Index input = index(of.inputs, load);
+  const Eigen::MatrixXcd resolvent = s * Eigen::MatrixXcd::Identity(of.A.rows(), of.A.rows()) -
+                                     Eigen::MatrixXd(of.A).cast<Complex>();
+  const Eigen::VectorXcd x =
+      resolvent.partialPivLu().solve(Eigen::MatrixXd(of.B).col(input).cast<Complex>());
+  const Eigen::VectorXcd shown =
+      Eigen::MatrixXd(of.C).cast<Complex>() * x + Eigen::MatrixXd(of.D).col(input).cast<Complex>();
+  return shown[index(of.outputs, sensor + ".y")] -
+         Complex(0.0, 1.0) * shown[index(of.outputs, sensor + ".x")];
+}
+
+TEST_CASE("shafts: seen from outside a linear model answers as in the turning frame, shifted") {
+  constexpr double kSpeed = 150.0;
+  const std::string text =
+      make_shaft_text({.speed = kSpeed, .bearing = "[1e6, 1e6]", .damping = "[300.0, 300.0]"}) +
+      kPushed;
+  const Scenario scenario = parse_scenario(text, "shaft.toml");
+  const LinearSystem fixed = solve_linear_system(scenario, {}, ModeFrame::fixed);
+  const LinearSystem turning = solve_linear_system(scenario, {}, ModeFrame::turning);
+  CHECK(std::count(fixed.left_out_inputs.begin(), fixed.left_out_inputs.end(), "rotor / load.1") ==
+        1);
+  for (const double frequency : {20.0, 82.0, 240.0}) {
+    const Complex s(-0.5, frequency);
+    const Complex outside = answer(fixed, "load.2", "disc", s);
+    const Complex inside = answer(turning, "load.1", "disc", s - Complex(0.0, kSpeed));
+    CAPTURE(frequency);
+    CAPTURE(outside.real());
+    CAPTURE(inside.real());
+    CHECK(std::abs(outside - inside) < 1e-6 * std::abs(inside));
+  }
+  // Shear forces and moments turn with the section; along the shaft they stand.
+  const auto shows = [&](const std::string& name) {
+    return std::any_of(fixed.outputs.begin(), fixed.outputs.end(),
+                       [&](const LinearSignal& one) { return one.name.ends_with(name); });
+  };
+  CHECK(shows("bent.force.x"));
+  CHECK(shows("bent.moment.x"));
+  CHECK_FALSE(shows("bent.force.y"));
 }
 
 TEST_CASE("shafts: whirls keep their names over the speed, and part as they turn") {
