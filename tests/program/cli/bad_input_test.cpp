@@ -19,7 +19,7 @@ TEST_CASE("a bad command line is refused in one line and nothing is written") {
       "compare, trace or reproduce (see spoke --help)");
   check_refused({"rnu", scenario},
                 "spoke: unknown command \"rnu\", expected run, check, reduce, static, modes, "
-                "campbell, critical, performance, linearize, wind, schema, "
+                "campbell, critical, performance, linearize, wind, schema, new, help, "
                 "study, import, export, fmu, "
                 "compare, trace or reproduce");
   check_refused({"--quiet"}, "spoke: unknown command \"--quiet\"");
