@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "models/scenario.h"
 #include "program/study/expression.h"
 
 namespace spoke::study {
