@@ -87,17 +87,21 @@ class Balance {
   PeriodicWake wake_;
 };
 
-/// Returns the forces on all coordinates where the model is in its equilibrium, at an azimuth; none
-/// beyond its limits.
+/// Returns the forces on all coordinates where the model is in its equilibrium, at an azimuth, the
+/// torque on a hub that turns freely last [N, N m]; none beyond its limits.
 std::optional<VectorXd> calc_forces_at(double psi, const Linearised& all, SteadyModel& whole) {
   whole.move_hub(psi, 0.0, 0.0);
+  const Index axial = whole.twist_size() - 1;
+  double torque = whole.hub_force(whole.no_offset())[axial];
   std::vector<double> forces;
   for (std::size_t i = 0; i < whole.subsystems(); ++i) {
     steady::SubsystemResponse response;
     whole.evaluate(i, steady::make_state(all.equilibrium, i), whole.no_offset(), response);
     if (!response.is_valid) return std::nullopt;
     forces.insert(forces.end(), response.force.begin(), response.force.end());
+    torque += response.hub_force[axial];
   }
+  if (!all.model.free_components().empty()) forces.push_back(torque);
   return Eigen::Map<const VectorXd>(forces.data(), std::ssize(forces));
 }
 
