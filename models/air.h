@@ -4,6 +4,7 @@
 // inflow and stall are modelled.
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,13 +14,14 @@
 
 namespace spoke::spatial {
 
-/// Coefficients of an aerofoil by angle of attack, at one Reynolds number.
+/// Coefficients of an aerofoil by angle of attack, at one Reynolds or Mach number.
 struct Polar {
-  double reynolds = 0.0;       ///< 0: the only one
+  double reynolds = 0.0;       ///< 0: the only one, or by Mach number
   std::vector<double> angle;   ///< of attack, ascending from -pi to pi [rad]
   std::vector<double> lift;    ///< c_l
   std::vector<double> drag;    ///< c_d
   std::vector<double> moment;  ///< c_m about the aerodynamic centre, nose up; empty: 0
+  std::optional<double> mach = std::nullopt;  ///< in place of the Reynolds number
 
   friend bool operator==(const Polar&, const Polar&) = default;
 };
@@ -27,7 +29,7 @@ struct Polar {
 /// An aerofoil.
 struct Airfoil {
   std::string name;           ///< name, unlike that of any other
-  std::vector<Polar> polars;  ///< one, or several by ascending Reynolds number
+  std::vector<Polar> polars;  ///< one, or several by ascending Reynolds or Mach number
 
   friend bool operator==(const Airfoil&, const Airfoil&) = default;
 };
@@ -124,8 +126,9 @@ SPOKE_EXPORT std::string_view name_of(TowerShadow shadow);
 
 /// Air around a rotor.
 struct Air {
-  double density = 1.225;     ///< [kg/m^3]
-  double viscosity = 1.5e-5;  ///< kinematic [m^2/s]
+  double density = 1.225;      ///< [kg/m^3]
+  double viscosity = 1.5e-5;   ///< kinematic [m^2/s]
+  double sound_speed = 340.3;  ///< [m/s]
   Wind wind{};
   Induction induction = Induction::momentum;
   HighThrust high_thrust = HighThrust::buhl;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "models/curve.h"
+#include "models/turbine_control.h"
 #include "spoke/export.h"
 
 namespace spoke {
@@ -47,9 +48,9 @@ struct LibraryRecord {
 
 /// The place of a controller that is not the scenario's own: an object of the program, or a library
 /// of Bladed's kind (docs/scenario.md, [control.program] and [control.library]); or what events
-/// move where there is no controller ([control.turbine]). It is called in samples, between steps,
-/// and sets the torque of the drive, the pitch of each blade and the yaw. Of several rotors it is
-/// that of the first one.
+/// move where there is no controller. [control.turbine] is the place of laws of the scenario, too.
+/// It is called in samples, between steps, and sets the torque of the drive, the pitch of each
+/// blade and the yaw. Of several rotors it is that of the first one.
 struct OuterControl {
   /// Names of the joints that follow the demanded pitch, as PitchControl::joints; may be empty.
   std::vector<std::string> joints{};
@@ -65,7 +66,8 @@ struct OuterControl {
   /// Time between samples, in steps to the nearest whole number from 1 on [s]; none: a step.
   std::optional<double> period = std::nullopt;
 
-  bool has_controller = true;  ///< false: events alone move the joints
+  bool has_controller = true;                      ///< false: events alone move the joints
+  std::optional<TurbineLaws> laws = std::nullopt;  ///< in place of a library and of an object
 
   // Of a library.
   std::string file{};   ///< the library; empty: an object of the program
@@ -79,9 +81,11 @@ struct OuterControl {
   std::vector<LibraryRecord> records{};  ///< that sensors give
 
   bool is_library() const { return !file.empty(); }
+  /// Whether the torque of the drive is the controller's.
+  bool sets_torque() const { return has_controller && (!laws || laws->torque); }
   /// Returns the table of a scenario that it stands in.
   std::string_view table() const {
-    if (!has_controller) return "control.turbine";
+    if (!has_controller || laws) return "control.turbine";
     return is_library() ? "control.library" : "control.program";
   }
 };

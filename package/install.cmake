@@ -72,6 +72,16 @@ if(SPOKE_PROGRAM)
     install(TARGETS spoke_fmu_library
       LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/spoke COMPONENT program)
   endif()
+  # Man pages are made of the help of the program that is installed.
+  install(CODE "
+execute_process(
+  COMMAND bash \"${CMAKE_CURRENT_LIST_DIR}/make_man_pages.sh\" \"$<TARGET_FILE:spoke>\"
+    ${PROJECT_VERSION} \"${CMAKE_CURRENT_BINARY_DIR}/man1\"
+  COMMAND_ERROR_IS_FATAL ANY)" COMPONENT program)
+  install(DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR}
+    COMPONENT program)
+  install(FILES ${CMAKE_CURRENT_LIST_DIR}/completion.bash RENAME spoke
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
   install(EXPORT spokeProgramTargets NAMESPACE spoke:: DESTINATION ${cmake_folder} COMPONENT program)
 endif()
 if(TARGET spoke_python)

@@ -11,7 +11,9 @@
 
 #include "engine/bodies/kernels/pitch_control.h"
 #include "engine/simulation/bladed_library.h"
+#include "engine/simulation/turbine_controller.h"
 #include "models/error.h"
+#include "models/tree/tree.h"
 
 namespace spoke {
 namespace {
@@ -23,6 +25,17 @@ std::string name_of(const OuterControl& place) {
   std::string name(place.table());
   if (place.is_library()) name += " \"" + place.file + '"';
   return name;
+}
+
+/// Returns the azimuths of the trees on the hub of the first rotor, blades before subsystems, in
+/// the sense of rotation [rad].
+std::vector<double> find_azimuths(const spatial::Model& model, double direction) {
+  std::vector<double> azimuths;
+  const std::vector<spatial::Tree> trees = spatial::build_trees(model);
+  for (std::size_t i = 0; i < trees.size(); ++i)
+    if (trees[i].rotor == 0 && !(model.support && i + 1 == trees.size()))
+      azimuths.push_back(direction * trees[i].azimuth);
+  return azimuths;
 }
 
 }  // namespace
@@ -97,7 +110,7 @@ void ControlLoop::put_angles(double t, SimulatedModel& model) {
 }
 
 Drive ControlLoop::make_drive() const {
-  if (sampled_ < 0) return own_drive_;
+  if (sampled_ < 0 || (!place_->sets_torque() && commands_.brake == 0.0)) return own_drive_;
   const double sense = place_->direction, torque = sense * commands_.torque;
   const double initial_speed = calc_initial_speed(own_drive_);
   if (const double brake = commands_.brake * place_->brake_torque; brake > 0.0) {
@@ -158,11 +171,14 @@ std::unique_ptr<ControlLoop> make_control_loop(const Scenario& scenario, double 
                                                SimulatedModel& model) {
   const OuterControl* const place =
       scenario.space && scenario.space->outer_control ? &*scenario.space->outer_control : nullptr;
-  if (given && (!place || place->is_library() || !place->has_controller))
+  if (given && (!place || place->table() != "control.program"))
     throw InputError("a controller is given, but the scenario has no [control.program]");
   if (!place || !place->has_controller) return nullptr;
   if (place->is_library())
     given = make_bladed_library(scenario, model);
+  else if (place->laws)
+    given = make_turbine_controller(*place->laws, place->initial,
+                                    find_azimuths(*scenario.space, place->direction));
   else if (!given)
     throw InputError(
         "control.program: the program gives no controller, expected one "

@@ -97,6 +97,19 @@ std::optional<PolarFault> find_polar_fault(const Polar& polar) {
   return find_open_end("moment", polar.moment);
 }
 
+std::string find_mach_fault(const std::vector<Polar>& polars, std::size_t k) {
+  const std::optional<double>& mach = polars[k].mach;
+  if (!mach) return polars.front().mach ? "is missing, expected one, as of the first polar" : "";
+  const std::string is = "is " + describe(*mach);
+  if (!(*mach >= 0.0) || !std::isfinite(*mach)) return is + ", expected 0 or more";
+  if (polars[k].reynolds != 0.0)
+    return is + ", given along with a Reynolds number, expected only one of them";
+  if (k == 0) return {};
+  if (!polars.front().mach) return is + ", expected none, as of the first polar";
+  if (!polars[k - 1].mach || *mach > *polars[k - 1].mach) return {};
+  return is + ", expected more than in the polar before";
+}
+
 void check_airfoil(const Airfoil& airfoil) {
   const auto refuse = [&](const std::string& what) {
     throw InputError("aerofoil \"" + airfoil.name + "\": " + what);
@@ -104,11 +117,13 @@ void check_airfoil(const Airfoil& airfoil) {
   if (airfoil.polars.empty()) refuse("has no polars, expected one or more");
   for (std::size_t k = 0; k < airfoil.polars.size(); ++k) {
     const Polar& polar = airfoil.polars[k];
+    if (const std::string fault = find_mach_fault(airfoil.polars, k); !fault.empty())
+      refuse("polar " + std::to_string(k + 1) + ": Mach number " + fault);
     const auto name = [k] { return "polar " + std::to_string(k + 1) + ": "; };
     const auto refuse_reynolds = [&](const char* expected) {
       refuse(name() + "Reynolds number is " + describe(polar.reynolds) + ", expected " + expected);
     };
-    if (airfoil.polars.size() > 1) {
+    if (airfoil.polars.size() > 1 && !polar.mach) {
       if (!(polar.reynolds > 0.0) || !std::isfinite(polar.reynolds))
         refuse_reynolds("a number greater than 0");
       if (k > 0 && !(polar.reynolds > airfoil.polars[k - 1].reynolds))

@@ -2,8 +2,10 @@
 
 // What an aerofoil must be, wherever it comes from.
 
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "models/air.h"
 
@@ -27,8 +29,11 @@ struct PolarFault {
 /// below kLeastDrag, ends that differ. None if all is well.
 std::optional<PolarFault> find_polar_fault(const spatial::Polar& polar);
 
+/// Returns what is wrong with the Mach number of one of an aerofoil's polars; empty: nothing is.
+std::string find_mach_fault(const std::vector<spatial::Polar>& polars, std::size_t k);
+
 /// Throws InputError "aerofoil "NAME": ..." unless the aerofoil has polars, all are well, and their
-/// Reynolds numbers ascend.
+/// Reynolds or Mach numbers ascend.
 void check_airfoil(const spatial::Airfoil& airfoil);
 
 }  // namespace spoke::air

@@ -1,4 +1,4 @@
-// Reads aerofoil files: a plain table, or tables under lines of a value and its key.
+// Reads aerofoil files: a plain table, tables under lines of a value and its key, or C81.
 
 #include "models/air/airfoil_reader.h"
 
@@ -12,6 +12,7 @@
 #include "models/air/aerodyn_airfoil.h"
 #include "models/air/airfoil_check.h"
 #include "models/air/airfoil_lines.h"
+#include "models/air/c81_airfoil.h"
 #include "models/solid/mesh_text.h"
 #include "models/support/quantity.h"
 #include "models/text_file.h"
@@ -80,6 +81,15 @@ AirfoilRows read_plain(std::string_view text, const std::string& file) {
 Airfoil parse_airfoil(std::string_view text, const std::string& file, const std::string& name) {
   Airfoil airfoil;
   airfoil.name = name;
+  if (is_c81_airfoil(text)) {
+    airfoil.polars = read_c81_airfoil(text, file);
+    for (const Polar& polar : airfoil.polars)
+      if (const auto fault = find_polar_fault(polar))
+        refuse_airfoil(
+            file, 0,
+            "at the Mach number " + describe(polar.mach.value_or(0.0)) + ' ' + fault->what);
+    return airfoil;
+  }
   if (!is_aerodyn_airfoil(text)) {
     airfoil.polars.push_back(make_polar(read_plain(text, file), 0.0, file));
     return airfoil;

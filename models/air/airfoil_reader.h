@@ -1,6 +1,6 @@
 #pragma once
 
-// Aerofoils from files: AeroDyn's, and plain tables. Formats: docs/aerodynamics.md.
+// Aerofoils from files: AeroDyn's, C81, and plain tables. Formats: docs/aerodynamics.md.
 
 #include <filesystem>
 #include <string>

@@ -32,12 +32,15 @@ std::vector<double> unite_angles(const Airfoil& inner, const Airfoil& outer) {
   return angles;
 }
 
-/// Returns the logarithms of all Reynolds numbers, ascending; one if none is given.
-std::vector<double> unite_reynolds(const Airfoil& inner, const Airfoil& outer) {
+/// Returns the level of one of several polars: linear between levels are coefficients.
+double level_of(const Polar& polar) { return polar.mach ? *polar.mach : std::log(polar.reynolds); }
+
+/// Returns the levels of all polars, ascending; one if none is given.
+std::vector<double> unite_levels(const Airfoil& inner, const Airfoil& outer) {
   std::vector<double> all;
   for (const Airfoil* airfoil : {&inner, &outer}) {
     if (airfoil->polars.size() == 1) continue;
-    for (const Polar& polar : airfoil->polars) all.push_back(std::log(polar.reynolds));
+    for (const Polar& polar : airfoil->polars) all.push_back(level_of(polar));
   }
   if (all.empty()) all.push_back(0.0);
   std::sort(all.begin(), all.end());
@@ -64,20 +67,20 @@ void add_polar(const Polar& polar, double weight, const std::vector<double>& ang
   }
 }
 
-/// Adds `weight` times an aerofoil at a Reynolds number to the rows.
-void add_airfoil(const Airfoil& airfoil, double logarithm, double weight,
+/// Adds `weight` times an aerofoil at a level to the rows.
+void add_airfoil(const Airfoil& airfoil, double level, double weight,
                  const std::vector<double>& angles, std::vector<PolarValues>& rows) {
   std::size_t above = 0;
   while (above < airfoil.polars.size() && airfoil.polars.size() > 1 &&
-         std::log(airfoil.polars[above].reynolds) <= logarithm)
+         level_of(airfoil.polars[above]) <= level)
     ++above;
   const std::size_t last = airfoil.polars.size() - 1;
   const Polar& lower = airfoil.polars[above == 0 ? 0 : std::min(above - 1, last)];
   const Polar& upper = airfoil.polars[std::min(above, last)];
   double share = 0.0;
   if (&lower != &upper) {
-    const double from = std::log(lower.reynolds);
-    share = (logarithm - from) / (std::log(upper.reynolds) - from);
+    const double from = level_of(lower);
+    share = (level - from) / (level_of(upper) - from);
   }
   add_polar(lower, weight * (1.0 - share), angles, rows);
   add_polar(upper, weight * share, angles, rows);
@@ -105,12 +108,19 @@ PolarValues between(const PolarValues& a, const PolarValues& b, double share) {
 
 }  // namespace
 
+ChosenBy find_choice(const Airfoil& airfoil) {
+  if (airfoil.polars.size() < 2) return ChosenBy::nothing;
+  return airfoil.polars.front().mach ? ChosenBy::mach : ChosenBy::reynolds;
+}
+
 SectionPolar::SectionPolar(const Airfoil& inner, const Airfoil& outer, double share)
-    : angles_(unite_angles(inner, outer)), logarithms_(unite_reynolds(inner, outer)) {
-  for (const double logarithm : logarithms_) {
+    : angles_(unite_angles(inner, outer)),
+      by_(std::max(find_choice(inner), find_choice(outer))),
+      levels_(unite_levels(inner, outer)) {
+  for (const double level : levels_) {
     std::vector<PolarValues>& rows = tables_.emplace_back(angles_.size(), PolarValues{});
-    add_airfoil(inner, logarithm, 1.0 - share, angles_, rows);
-    add_airfoil(outer, logarithm, share, angles_, rows);
+    add_airfoil(inner, level, 1.0 - share, angles_, rows);
+    add_airfoil(outer, level, share, angles_, rows);
     const double zero_lift = add_separation(angles_, rows);
     if (tables_.size() == 1) zero_lift_ = zero_lift;
   }
@@ -123,17 +133,17 @@ SectionPolar::SectionPolar(const Airfoil& inner, const Airfoil& outer, double sh
   }
 }
 
-SectionPolar::Level SectionPolar::level(double reynolds) const noexcept {
+SectionPolar::Level SectionPolar::level(double reynolds, double mach) const noexcept {
   const PolarValues* first = tables_.front().data();
   if (tables_.size() == 1 || !(reynolds > 0.0)) return {first, first, 0.0};
-  const double logarithm = std::log(reynolds);
-  if (logarithm <= logarithms_.front()) return {first, first, 0.0};
+  const double place = by_ == ChosenBy::mach ? mach : std::log(reynolds);
+  if (place <= levels_.front()) return {first, first, 0.0};
   std::size_t above = 1;
-  while (above < logarithms_.size() && logarithms_[above] <= logarithm) ++above;
+  while (above < levels_.size() && levels_[above] <= place) ++above;
   const PolarValues* lower = tables_[above - 1].data();
-  if (above == logarithms_.size()) return {lower, lower, 0.0};
-  const double from = logarithms_[above - 1];
-  return {lower, tables_[above].data(), (logarithm - from) / (logarithms_[above] - from)};
+  if (above == levels_.size()) return {lower, lower, 0.0};
+  const double from = levels_[above - 1];
+  return {lower, tables_[above].data(), (place - from) / (levels_[above] - from)};
 }
 
 PolarValues SectionPolar::values(const Level& level, double angle) const noexcept {

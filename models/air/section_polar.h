@@ -1,6 +1,7 @@
 #pragma once
 
-// Coefficients of a section by angle of attack and Reynolds number, made for fast evaluation.
+// Coefficients of a section by angle of attack and Reynolds or Mach number, made for fast
+// evaluation.
 
 #include <algorithm>
 #include <array>
@@ -21,23 +22,28 @@ struct PolarValues {
   double recovery;    ///< lift of attached less that of separated flow
 };
 
+/// What chooses between the polars of an aerofoil.
+enum class ChosenBy { nothing, reynolds, mach };
+/// Returns that of an aerofoil: with one polar nothing.
+ChosenBy find_choice(const spatial::Airfoil& airfoil);
+
 /// Coefficients of a section: of an aerofoil, or blended of two by a share. Linear in the angle
-/// between the given points, at which they are exact, and in the logarithm of the Reynolds number;
-/// beyond the first and last one they are constant.
+/// between the given points, at which they are exact, and in the logarithm of the Reynolds number,
+/// or in the Mach number; beyond the first and last one they are constant.
 class SectionPolar {
  public:
-  /// Two neighbouring Reynolds numbers and the share of the upper one.
+  /// Two neighbouring Reynolds or Mach numbers and the share of the upper one.
   struct Level {
     const PolarValues *lower, *upper;
     double share;
   };
 
   /// Makes coefficients (1 - share) inner + share outer. Both aerofoils have passed
-  /// check_airfoil().
+  /// check_airfoil(); if either has several polars, both are chosen by the same.
   SectionPolar(const spatial::Airfoil& inner, const spatial::Airfoil& outer, double share);
 
-  /// Returns the level at a Reynolds number.
-  Level level(double reynolds) const noexcept;
+  /// Returns the level at a Reynolds number, or at the Mach number where polars are chosen by it.
+  Level level(double reynolds, double mach = 0.0) const noexcept;
   /// Returns the steady lift at an angle from -3 pi to 3 pi [rad].
   double lift(const Level& level, double angle) const noexcept {
     const Place at = find(angle);
@@ -51,7 +57,7 @@ class SectionPolar {
   }
   /// Returns all coefficients there.
   PolarValues values(const Level& level, double angle) const noexcept;
-  /// Returns the angle of zero lift [rad] of the first Reynolds number, 0 if there is none.
+  /// Returns the angle of zero lift [rad] of the first level, 0 if there is none.
   double zero_lift() const { return zero_lift_; }
 
  private:
@@ -76,10 +82,11 @@ class SectionPolar {
     return {row, (angle - low) / (angles_[row + 1] - low)};
   }
 
-  std::vector<double> angles_;                    ///< from -pi to pi, ascending
-  std::array<std::int32_t, kBins> first_{};       ///< last row at or before the bin's begin
-  std::vector<double> logarithms_;                ///< of the Reynolds numbers, ascending
-  std::vector<std::vector<PolarValues>> tables_;  ///< rows of each Reynolds number
+  std::vector<double> angles_;               ///< from -pi to pi, ascending
+  std::array<std::int32_t, kBins> first_{};  ///< last row at or before the bin's begin
+  ChosenBy by_ = ChosenBy::nothing;
+  std::vector<double> levels_;  ///< logarithms of Reynolds numbers, or Mach numbers, ascending
+  std::vector<std::vector<PolarValues>> tables_;  ///< rows of each level
   double zero_lift_ = 0.0;
 };
 

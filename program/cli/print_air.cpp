@@ -164,6 +164,7 @@ std::string describe(const spatial::Polar& polar) {
   const auto at = static_cast<std::size_t>(lift - polar.lift.begin());
   std::string text =
       polar.reynolds > 0.0 ? fmt::format("Re {}: ", short_number(polar.reynolds)) : "";
+  if (polar.mach) text = fmt::format("Mach {}: ", short_number(*polar.mach));
   text += counted(std::ssize(polar.angle), "angle");
   if (*lift > 0.0)
     text += fmt::format(", lift up to {} at {} deg", short_number(*lift),

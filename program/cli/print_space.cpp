@@ -17,6 +17,7 @@
 
 #include "models/count_text.h"
 #include "models/reader/keys/control_keys.h"
+#include "models/reader/keys/turbine_keys.h"
 #include "models/tree/space_beam.h"
 #include "models/tree/tree.h"
 #include "program/cli/report.h"
@@ -253,8 +254,20 @@ std::string describe(const PitchControl& control) {
 }
 
 /// Returns what is called in samples: "library libdiscon.so, joint pitch, every 0.01 s".
+std::string describe(const TurbineLaws& laws) {
+  std::string text;
+  keys::visit_laws(laws, [&text](std::string_view key, keys::Rows, const auto& part) {
+    if (part) text += (text.empty() ? "" : " and ") + std::string(key);
+  });
+  if (laws.torque)
+    text += fmt::format(", rated {} N m at {} rad/s", number(laws.torque->rated),
+                        number(laws.torque->speed));
+  return text;
+}
+
 std::string describe(const OuterControl& control) {
   std::string text = control.is_library() ? "library " + control.file : "of the program";
+  if (control.laws) text = "laws of a turbine, " + describe(*control.laws);
   if (!control.has_controller) text = "by events alone";
   for (const std::string& joint : control.joints) text += ", joint " + joint;
   if (!control.yaw_joint.empty()) text += ", yaw by " + control.yaw_joint;

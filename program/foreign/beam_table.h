@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "models/spatial_model.h"
+#include "models/turbine_control.h"
 #include "program/foreign/found_air.h"
 #include "program/foreign/found_control.h"
 #include "program/foreign/left_out.h"
@@ -88,11 +89,26 @@ struct FoundModel {
   bool has_yaw_spring = false;  ///< whether the nacelle moves on its yaw spring
   std::optional<FoundGenerator> generator;  ///< none: the drive holds `speed`
   std::optional<FoundLibrary> library;
+  std::optional<TurbineLaws> laws;  ///< in the place of a library
+  std::string laws_from;
   Value duration, interval;       ///< of a run and of its results [s]; 0: not in the files
   std::vector<LeftOut> left_out;  ///< what could not be carried over
 
   /// Whether the blades have a pitch joint.
-  bool has_pitch() const { return air || library || pitch_maneuver || pitch.number != 0.0; }
+  bool has_pitch() const {
+    return air || library || controls_pitch() || pitch_maneuver || pitch.number != 0.0;
+  }
+  /// Whether the controller moves these, or has the torque of the generator.
+  bool controls_pitch() const {
+    return laws ? laws->pitch || laws->individual
+                : library && library->is_there && library->pitches;
+  }
+  bool controls_yaw() const {
+    return laws ? laws->yaw.has_value() : library && library->is_there && library->yaws;
+  }
+  bool sets_torque() const {
+    return laws ? laws->torque.has_value() : library && library->is_there;
+  }
   void leave_out(Loss loss, std::string text) { left_out.push_back({loss, std::move(text)}); }
 };
 

@@ -4,6 +4,11 @@
 
 #include <cmath>
 #include <filesystem>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "models/reader/keys/turbine_keys.h"
 
 namespace spoke::foreign {
 namespace {
@@ -40,21 +45,57 @@ void write_motion(const Value& angle, const std::optional<FoundManeuver>& maneuv
              angle.from.empty() ? "not in the files" : angle.from + note);
 }
 
-/// What the controller moves, and what it is said besides.
-void write_controlled(const FoundModel& model, Toml& toml) {
-  const FoundLibrary& library = *model.library;
-  if (library.pitches) {
+/// The joints that a controller moves.
+void write_moved(const FoundModel& model, bool pitches, bool yaws, Toml& toml) {
+  if (pitches) {
     toml.key("joint", "\"pitch\"");
     toml.key("sign", "-1", "twist of these blades falls towards feather");
     if (model.pitch.number != 0.0)
       toml.key("initial", digits(-model.pitch.number), model.pitch.from + ", in rad");
   }
-  if (library.yaws) toml.key("yaw_joint", "\"yaw\"");
+  if (yaws) toml.key("yaw_joint", "\"yaw\"");
+}
+
+/// What the library moves, and what it is said besides.
+void write_controlled(const FoundModel& model, Toml& toml) {
+  const FoundLibrary& library = *model.library;
+  write_moved(model, library.pitches, library.yaws, toml);
   if (library.brake_torque.number > 0.0)
     toml.key("brake_torque", digits(library.brake_torque.number),
              library.brake_torque.from + ", by GBRatio");
   if (library.period.number > 0.0)
     toml.key("period", digits(library.period.number), library.period.from);
+}
+
+/// Writes what of a structure is not its default, by the rows of its keys.
+void write_rows(keys::Rows rows, const void* of, Toml& toml) {
+  using Kind = keys::Row::Kind;
+  for (const keys::Row& row : rows) {
+    const std::string key(row.key);
+    if (row.kind == Kind::number) {
+      const double value = keys::member_of<double>(row, of);
+      if (value != keys::member_of<double>(row, row.standard())) toml.key(key, digits(value));
+    } else if (row.kind == Kind::option) {
+      if (const auto& value = keys::member_of<std::optional<double>>(row, of))
+        toml.key(key, digits(*value));
+    } else if (row.kind == Kind::numbers) {
+      toml.numbers(key, keys::member_of<std::vector<double>>(row, of));
+    } else if (row.kind == Kind::choice) {
+      toml.key(key, quoted(std::string(row.word(row.chosen(of)))));
+    }
+  }
+}
+
+void write_laws(const FoundModel& model, Toml& toml) {
+  toml.table("[control.turbine]");
+  toml.comment(model.laws_from);
+  write_moved(model, model.laws->pitch || model.laws->individual, model.laws->yaw.has_value(),
+              toml);
+  keys::visit_laws(*model.laws, [&](std::string_view key, keys::Rows rows, const auto& part) {
+    if (!part) return;
+    toml.table("[control.turbine." + std::string(key) + "]");
+    write_rows(rows, &*part, toml);
+  });
 }
 
 void write_library(const FoundModel& model, const std::string& folder, Toml& toml) {
@@ -90,8 +131,8 @@ void write_drive(const FoundModel& model, Toml& toml) {
     write_initial_speed(model, toml);
     toml.numbers("speed", model.generator->speed);
     toml.numbers("torque", model.generator->torque);
-  } else if (model.library && model.library->is_there) {
-    toml.key("kind", "\"torque\"", "that of the library takes its place");
+  } else if (model.sets_torque()) {
+    toml.key("kind", "\"torque\"", "that of the controller takes its place");
     toml.key("torque", "0");
     write_initial_speed(model, toml);
   } else if (model.speed.number != 0.0) {
@@ -108,15 +149,15 @@ void write_pitch(const FoundModel& model, Toml& toml) {
   toml.key("station", "0");
   toml.key("kind", "\"revolute\"");
   toml.key("axis", "[1, 0, 0]");
-  if (model.library && model.library->is_there && model.library->pitches)
-    toml.key("motion", "{ constant = 0 }", "rad, what the library adds to");
+  if (model.controls_pitch())
+    toml.key("motion", "{ constant = 0 }", "rad, what the controller adds to");
   else
     write_motion(model.pitch, model.pitch_maneuver, ", in rad, negative to feather", toml);
 }
 
 void write_yaw(const FoundModel& model, const std::string& orientation, Toml& toml) {
   const FoundYaw& yaw = model.yaw;
-  const bool follows = model.library && model.library->is_there && model.library->yaws;
+  const bool follows = model.controls_yaw();
   const bool turns = yaw.moves || yaw.maneuver || follows || yaw.angle.number != 0.0;
   toml.table("[[support.joint]]");
   if (turns) toml.key("name", "\"yaw\"");
@@ -136,6 +177,7 @@ void write_yaw(const FoundModel& model, const std::string& orientation, Toml& to
 
 void write_control(const FoundModel& model, const std::string& folder, bool stands_alone,
                    Toml& toml) {
+  if (model.laws) return write_laws(model, toml);
   if (!model.library) return;
   if (!model.library->is_there) {
     Toml lines;

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <variant>
 
+#include "models/air/section_polar.h"
 #include "models/error.h"
 #include "models/space/reference_curve.h"
 #include "program/foreign/input_lines.h"
@@ -253,6 +254,12 @@ ExportedFiles export_aerodyn(const Scenario& scenario, std::size_t blade,
     throw InputError(
         "blade.aerodynamics.leading_edge: is \"-y\", expected \"+y\": rotors of AeroDyn turn so");
   const std::vector<std::string> names = names_of(*chosen.aerodynamics);
+  for (const spatial::Airfoil& airfoil : scenario.space->air->airfoils)
+    if (air::find_choice(airfoil) == air::ChosenBy::mach &&
+        std::find(names.begin(), names.end(), airfoil.name) != names.end())
+      throw InputError("airfoil \"" + airfoil.name +
+                       "\": has polars by Mach number, expected such by Reynolds number: files of "
+                       "AeroDyn have no others");
   std::vector<std::string> airfoil_files;
   ExportedFiles exported;
   for (const std::string& name : names) airfoil_files.push_back(airfoil_file(name));

@@ -11,6 +11,7 @@
 #include "models/solid/mesh_text.h"
 #include "program/foreign/aerodyn_reader.h"
 #include "program/foreign/air_writer.h"
+#include "program/foreign/discon_reader.h"
 #include "program/foreign/elastodyn_reader.h"
 #include "program/foreign/inflowwind_reader.h"
 #include "program/foreign/input_lines.h"
@@ -33,6 +34,7 @@ enum Kind {
   openfast_main,
   inflowwind,
   servodyn,
+  discon,
   windio,
   kind_count
 };
@@ -47,6 +49,7 @@ constexpr const char* kKindNames[kind_count] = {"BeamDyn, primary file",
                                                 "OpenFAST, main file",
                                                 "InflowWind",
                                                 "ServoDyn",
+                                                "ROSCO, DISCON.IN",
                                                 "WindIO"};
 
 std::string in_capitals(std::string_view text) {
@@ -69,11 +72,12 @@ Kind find_kind(const SourceFile& source) {
   if (says("INFLOWWIND")) return inflowwind;
   if (says("SERVODYN")) return servodyn;
   if (ending == ".FST" || says("OPENFAST")) return openfast_main;
+  if (is_discon(source.text)) return discon;
   refuse(source.name, 1,
          "found " + solid::show_text(solid::trim(line)) +
              ", expected the first line of a file of OpenFAST that names BEAMDYN, ELASTODYN, "
-             "AERODYN, INFLOWWIND or SERVODYN, and BLADE or TOWER where it is of one; or a file "
-             ".fst or .yaml");
+             "AERODYN, INFLOWWIND or SERVODYN, and BLADE or TOWER where it is of one; a file "
+             ".fst or .yaml; or parameters of ROSCO, with VS_ControlMode");
 }
 
 /// The files by kind, those that others name as well.
@@ -288,13 +292,37 @@ void read_wind(const FoundFiles& files, const ImportOptions& options, FoundModel
   model.sources.push_back(wind.file + ": wind of TurbSim, which the scenario names");
 }
 
-void read_servo(const FoundFiles& files, const ImportOptions& options, FoundModel& model) {
+/// Reads the parameters that a library would, if they are of ROSCO, in place of one that is not
+/// there.
+bool read_in_place(const FoundFiles& files, const NamedFile& input, FoundModel& model) {
+  if (input.name.empty()) return false;
+  SourceFile parameters;
+  try {
+    parameters = files.read_named(servodyn, input, "the file that the library reads");
+  } catch (const InputError&) {
+    return false;  // as if it were not there
+  }
+  if (!is_discon(parameters.text)) return false;
+  read_discon(parameters, model);
+  note_source(parameters, discon, model);
+  return true;
+}
+
+void read_servo(FoundFiles& files, const ImportOptions& options, FoundModel& model) {
   const SourceFile& source = files.get(servodyn);
   const ServoDynFile file = read_servodyn(source, model);
   note_source(source, servodyn, model);
   if (!model.library) return;
   FoundLibrary& library = *model.library;
   library.file = files.find_named(servodyn, file.library, "a shared library");
+  if (!options.is_there(library.file) && !model.laws) read_in_place(files, file.input, model);
+  if (model.laws) {
+    model.leave_out(Loss::theory, place(source.name, file.library.line) + ": the library " +
+                                      printable(library.file) +
+                                      ", in whose place [control.turbine] has its laws");
+    model.library.reset();
+    return;
+  }
   if (!file.input.name.empty())
     library.input = files.find_named(servodyn, file.input, "the file that the library reads");
   const auto miss = [&](const std::string& name, const NamedFile& named) {
@@ -306,6 +334,30 @@ void read_servo(const FoundFiles& files, const ImportOptions& options, FoundMode
   };
   miss(library.file, file.library);
   if (library.is_there) miss(library.input, file.input);
+}
+
+/// Lets laws take over what other files move, and says what of these goes.
+void take_over(FoundModel& model) {
+  TurbineLaws& laws = *model.laws;
+  if (model.holds_speed && laws.torque) {
+    model.leave_out(Loss::part,
+                    model.laws_from + ": the torque, since GenDOF False holds the speed");
+    laws.torque.reset();
+    laws.smoothing.reset();
+  }
+  if (laws.torque) model.generator.reset();
+  const auto drop = [&model](std::optional<FoundManeuver>& maneuver, const char* what) {
+    if (!maneuver) return;
+    model.leave_out(Loss::part, maneuver->from + ": the override of the controlled " + what);
+    maneuver.reset();
+  };
+  if (model.controls_pitch()) drop(model.pitch_maneuver, "pitch");
+  if (!model.controls_yaw()) return;
+  drop(model.yaw.maneuver, "yaw");
+  if (!model.yaw.moves) return;
+  model.yaw.moves = false;
+  model.leave_out(Loss::value,
+                  model.yaw.stiffness.from + ": the nacelle follows what yaws it without a spring");
 }
 
 /// What a turbine has besides these files.
@@ -360,6 +412,10 @@ void check_use(const FoundFiles& files) {
   if (files.has(inflowwind) && !files.has(aerodyn_primary))
     refuse(files.get(inflowwind).name, 1,
            "has no blades for its wind, expected AeroDyn's primary file besides");
+  if (files.has(discon) && !files.has(elastodyn_primary) && !files.has(windio))
+    refuse(files.get(discon).name, 1,
+           "has no rotor to control, expected the main file of its turbine besides, or an ontology "
+           "of WindIO");
   if (files.has(aerodyn_primary) && !first && !files.has(elastodyn_primary))
     refuse(files.get(aerodyn_primary).name, 1,
            "has no structure of the blades, expected files of BeamDyn or ElastoDyn besides");
@@ -403,6 +459,10 @@ Imported import_files(const std::vector<SourceFile>& files, const ReadFile& read
   std::optional<OpenFastMain> main;
   if (found.has(openfast_main) && !found.has(windio)) main = read_main(found, model);
   check_use(found);
+  if (found.has(discon)) {
+    read_discon(found.get(discon), model);
+    note_source(found.get(discon), discon, model);
+  }
   if (found.has(aerodyn_primary)) model.air.emplace();
   if (found.has(beamdyn_primary)) read_beamdyn(found, model);
   if (found.has(windio)) {
@@ -414,6 +474,7 @@ Imported import_files(const std::vector<SourceFile>& files, const ReadFile& read
   if (found.has(inflowwind)) read_wind(found, options, model);
   if (found.has(servodyn)) read_servo(found, options, model);
   if (main) use_main(*main, found, model);
+  if (model.laws) take_over(model);
   note_missing(found, model);
   return write_imported(model, files.front().name, options);
 }

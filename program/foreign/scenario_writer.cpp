@@ -179,6 +179,14 @@ void write_damping(const FoundDamping& damping, Toml& toml) {
     toml.key("ratios", digits(damping.ratios), damping.from);
 }
 
+/// What is controlled begins bent by its wind: at once it would be a blow, which no controller is
+/// for.
+void write_start(const FoundModel& model, Toml& toml) {
+  if (!model.laws || !model.air) return;
+  toml.table("[initial]");
+  toml.key("state", "\"equilibrium\"", "not in the files: at the speed and the pitch of the start");
+}
+
 void write_course(const FoundModel& model, Toml& toml) {
   const bool ends = model.duration.number > 0.0;
   toml.table("[integration]");
@@ -210,6 +218,7 @@ std::string write_scenario(const FoundModel& model, const ScenarioPlaces* places
     write_air(*model.air, places, {model.has_rotor ? "[8, 0, 0]" : "[0, 0, 8]", model.ground},
               toml);
   write_damping(model.damping, toml);
+  write_start(model, toml);
   write_course(model, toml);
   return toml.take();
 }

@@ -234,11 +234,13 @@ void read_blade(const BladeTables& tables, double unit, FoundModel& model) {
 /// What the model has not of the file.
 void note_missing_parts(const std::string& file, bool has_turbine, bool has_air,
                         FoundModel& model) {
+  const std::string control =
+      model.laws ? ""
+                 : "gains of control and the torque of the generator, which are not in an ontology "
+                   "(the drive holds the speed; a DISCON.IN of ROSCO besides has them); ";
   if (has_turbine)
-    model.leave_out(Loss::part, file +
-                                    ": gains of control and the torque of the generator, which are "
-                                    "not in an ontology (the drive holds the speed); monopile, "
-                                    "floater, moorings (the foot of the tower is held)");
+    model.leave_out(Loss::part, file + ": " + control +
+                                    "monopile, floater, moorings (the foot of the tower is held)");
   else
     model.leave_out(Loss::part, file +
                                     ": tower, nacelle, generator and control; the hub is held, its "

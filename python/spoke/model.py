@@ -886,7 +886,9 @@ def program_control(*, joint=None, joints=None, initial=None, sign=None, yaw_joi
 
 
 def turbine_control(*, joint=None, joints=None, initial=None, sign=None, yaw_joint=None,
-                    direction=None, brake_torque=None, brake_speed=None, period=None):
+                    direction=None, brake_torque=None, brake_speed=None, period=None, filter=None,
+                    torque=None, pitch=None, schedule=None, smoothing=None, individual=None,
+                    actuator=None, yaw=None):
     """What events move without a controller: control={"turbine": turbine_control(...)}.
 
     joint: name of the pitch joint, of every blade or subsystem on the hub that has one of this name
@@ -899,6 +901,14 @@ def turbine_control(*, joint=None, joints=None, initial=None, sign=None, yaw_joi
     brake_torque: of the shaft brake that is on, on the hub's side [N m]
     brake_speed: of the hub, from which on the brake has that torque [rad/s]
     period: time between samples, in steps to the nearest whole number from 1 on [s]
+    filter: low-pass on the measured speed
+    torque: of the generator
+    pitch: collective
+    schedule: least pitch by the wind
+    smoothing: of both set points at rated
+    individual: pitch of each blade by its moment
+    actuator: what moves a blade
+    yaw: of the nacelle
     """
     return _given(locals())
 
@@ -941,11 +951,12 @@ def event_yaw(*, to=None, rate=None):
     return _given(locals())
 
 
-def air(*, density=None, viscosity=None):
+def air(*, density=None, viscosity=None, sound_speed=None):
     """Air around the blades, in space.
 
     density: of the air [kg/m^3]
     viscosity: kinematic, for the Reynolds numbers by which polars are chosen [m^2/s]
+    sound_speed: for the Mach numbers by which polars are chosen [m/s]
     """
     return _given(locals())
 
@@ -1092,15 +1103,16 @@ def body_drag(*, station=None, diameter=None, coefficient=None, area=None, point
     return _given(locals())
 
 
-def airfoil(*, name, file=None, polar=None, reynolds=None, angle=None, lift=None, drag=None,
-            moment=None):
+def airfoil(*, name, file=None, polar=None, reynolds=None, mach=None, angle=None, lift=None,
+            drag=None, moment=None):
     """An aerofoil.
 
     name: unlike that of any other
-    file: relative to the scenario's folder: a plain table, or a file of AeroDyn 15 (formats); **its
-        angles are in degrees**
-    polar: polars by Reynolds number, [[airfoil.polar]], with the keys below
+    file: relative to the scenario's folder: a plain table, a file of AeroDyn 15, or C81 (formats);
+        **its angles are in degrees**
+    polar: polars by Reynolds or Mach number, [[airfoil.polar]], with the keys below
     reynolds: Reynolds number of the polar, ascending from one to the next
+    mach: in place of it: Mach number of the polar, ascending from one to the next
     angle: angles of attack, ascending; the first is −π, the last π [rad]
     lift: coefficient of lift, equal at both ends
     drag: of drag, likewise
@@ -1109,10 +1121,11 @@ def airfoil(*, name, file=None, polar=None, reynolds=None, angle=None, lift=None
     return _given(locals())
 
 
-def polar(*, reynolds=None, angle=None, lift=None, drag=None, moment=None):
+def polar(*, reynolds=None, mach=None, angle=None, lift=None, drag=None, moment=None):
     """Coefficients of an aerofoil at one Reynolds number.
 
     reynolds: Reynolds number of the polar, ascending from one to the next
+    mach: in place of it: Mach number of the polar, ascending from one to the next
     angle: angles of attack, ascending; the first is −π, the last π [rad]
     lift: coefficient of lift, equal at both ends
     drag: of drag, likewise

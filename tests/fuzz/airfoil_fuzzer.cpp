@@ -1,5 +1,5 @@
-// libFuzzer: any bytes are an aerofoil of AeroDyn or a plain table, or refused by InputError with
-// one line; what is read has coefficients everywhere.
+// libFuzzer: any bytes are an aerofoil of AeroDyn, of C81 or a plain table, or refused by
+// InputError with one line; what is read has coefficients everywhere.
 
 #include <cmath>
 #include <string>
@@ -22,7 +22,8 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
     const air::SectionPolar section(airfoil, airfoil, 0.5);
     for (const double reynolds : {0.0, 1e3, 1e6, 1e12})
       for (double angle = -6.0; angle < 6.0; angle += 0.1) {
-        const air::PolarValues values = section.values(section.level(reynolds), angle);
+        const air::PolarValues values =
+            section.values(section.level(reynolds, 1e-6 * reynolds), angle);
         require(std::isfinite(values.lift) && std::isfinite(values.recovery), "lift is finite");
         require(values.drag >= 0.0 && std::isfinite(values.moment), "drag is not negative");
         require(values.separation >= 0.0 && values.separation <= 1.0, "f is a share");

@@ -49,4 +49,14 @@ if [ -e "$work/moved/bin/spoke-fmu" ]; then  # if the build has it
   [ -s "$work/rotor.fmu" ]
 fi
 "$work/moved/bin/spoke" check "$work/moved/share/spoke/models/wu_haug_rotor.toml"
+# Each command has a man page, and bash completes commands and their options.
+for command in $("$work/moved/bin/spoke" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z]\+\) .*/\1/p'); do
+  [ -s "$work/moved/share/man/man1/spoke-$command.1" ] || { echo "spoke $command has no man page"; exit 1; }
+done
+completed() {
+  bash -c 'source "$0"; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _spoke; echo "${COMPREPLY[*]}"' \
+    "$work/moved/share/bash-completion/completions/spoke" "$work/moved/bin/spoke" "$@"
+}
+[ "$(completed camp)" = campbell ] || { echo "bash does not complete commands"; exit 1; }
+[ "$(completed modes --spe)" = --speed ] || { echo "bash does not complete options"; exit 1; }
 SPOKE_CACHE=none "$work/moved/bin/spoke" reduce "$work/moved/share/spoke/models/solid_bracket.toml" >/dev/null

@@ -104,7 +104,7 @@ BladeAir::Point BladeAir::find_point(const RotorPlace& rotor, const Station& sta
   const SectionFlow flow = find_flow(axes, section, wind, station.center, in_plane);
   const double speed = find_size(flow.axial, flow.ahead);
   Point point{station, axes, flow};
-  point.level = station.polar->level(speed * station.chord / viscosity_);
+  point.level = station.polar->level(speed * station.chord / viscosity_, speed / sound_speed_);
   point.rise = find_rise(axes, section, station.chord);
   point.turning = find_turning_angle(axes, flow, point.rise);
   return point;

@@ -119,7 +119,7 @@ class SPOKE_EXPORT BladeAir {
 
   std::vector<Station> stations_;
   std::vector<double> places_;
-  double density_, viscosity_;
+  double density_, viscosity_, sound_speed_;
   double radius_;  // of the tip [m]
   int blades_;
   double inflow_factor_;

@@ -16,6 +16,7 @@ BladeAir::BladeAir(const spatial::BladeAerodynamics& blade, const spatial::Air& 
     : places_(std::move(stations)),
       density_(air.density),
       viscosity_(air.viscosity),
+      sound_speed_(air.sound_speed),
       radius_(hub_radius + std::max(blade.station.back(), places_.back())),
       blades_(blades),
       inflow_factor_(air.inflow_factor),

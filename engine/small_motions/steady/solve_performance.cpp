@@ -30,11 +30,12 @@ constexpr double kResolution = 1e-7;
 /// Pitch as the scenario controls it, or as it is asked for.
 struct Pitch {
   std::vector<std::string> joints;
-  double stands = 0.0;                ///< where the scenario holds the first of the joints [rad]
-  double sign = 1.0;                  ///< of joint angles by angles towards feather
-  std::optional<double> held;         ///< asked for [rad]
-  std::optional<double> least, most;  ///< of a controller, towards feather [rad]
-  double set_point = 0.0;             ///< of a controller [rad/s]
+  double stands = 0.0;                  ///< where the scenario holds the first of the joints [rad]
+  double sign = 1.0;                    ///< of joint angles by angles towards feather
+  std::optional<double> held;           ///< asked for [rad]
+  std::optional<double> most;           ///< of a controller, towards feather [rad]
+  std::function<double(double)> least;  ///< of a controller, by the wind [m/s], likewise
+  double set_point = 0.0;               ///< of a controller [rad/s]
 };
 
 /// Returns the first joint of blades, or else of subsystems, of a rotor by a name; null: there is
@@ -49,12 +50,26 @@ const spatial::Joint* find_joint(const spatial::Model& model, int rotor, const s
   return nullptr;
 }
 
-/// Whether a model controls the pitch of a rotor.
-bool is_controlled(const spatial::Model& model, int rotor) {
-  return model.pitch_control &&
-         std::any_of(
-             model.pitch_control->joints.begin(), model.pitch_control->joints.end(),
-             [&](const std::string& name) { return find_joint(model, rotor, name) != nullptr; });
+/// Whether a rotor has joints of these names.
+bool has_joint(const spatial::Model& model, int rotor, const std::vector<std::string>& names) {
+  return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+    return find_joint(model, rotor, name) != nullptr;
+  });
+}
+
+/// Returns the laws by which a rotor is controlled below and above rated; null: there are none.
+const TurbineLaws* find_laws(const spatial::Model& model, int rotor) {
+  if (rotor != 0 || !model.outer_control || !model.outer_control->laws) return nullptr;
+  return &*model.outer_control->laws;
+}
+
+/// Returns the drive of a rotor: with laws of the torque that which they are in a steady state.
+Drive find_drive(const spatial::Model& model, int rotor) {
+  const Drive& drive = hub_of(model, rotor).drive;
+  const TurbineLaws* const laws = find_laws(model, rotor);
+  if (!laws || !laws->torque) return drive;
+  return TorqueBySpeed{make_steady_torque(*laws->torque, model.outer_control->direction),
+                       calc_initial_speed(drive)};
 }
 
 /// Returns the angle at which a joint is held, all courses over, in the mean over a turn [rad]; 0
@@ -70,13 +85,21 @@ double find_angle(const spatial::Joint* joint) {
 
 Pitch find_pitch(const spatial::Model& model, int rotor, const PerformanceOptions& options) {
   Pitch pitch;
-  if (is_controlled(model, rotor)) {
+  const TurbineLaws* const laws = find_laws(model, rotor);
+  if (model.pitch_control && has_joint(model, rotor, model.pitch_control->joints)) {
     const PitchControl& control = *model.pitch_control;
     pitch.joints = control.joints;
     pitch.sign = control.sign;
-    pitch.least = control.minimum;
+    pitch.least = [least = control.minimum](double) { return least; };
     pitch.most = control.maximum;
     pitch.set_point = control.speed;
+  } else if (laws && laws->pitch && has_joint(model, rotor, model.outer_control->joints)) {
+    const OuterControl& control = *model.outer_control;
+    pitch.joints = control.joints;
+    pitch.sign = control.sign;
+    pitch.least = [laws](double wind) { return find_least_pitch(*laws, wind); };
+    pitch.most = laws->pitch->maximum;
+    pitch.set_point = control.direction * laws->pitch->speed;
   } else if (find_joint(model, rotor, options.joint) != nullptr) {
     pitch.joints = {options.joint};
   } else if (!options.pitch.empty()) {
@@ -125,6 +148,7 @@ class Performance {
   Performance(const Scenario& scenario, int rotor, const PerformanceOptions& options)
       : model_(*scenario.space),
         hub_(hub_of(model_, rotor)),
+        drive_(find_drive(model_, rotor)),
         options_(options),
         pitch_(find_pitch(model_, rotor, options)),
         rotor_(scenario, rotor, pitch_.joints, options.is_rigid),
@@ -133,30 +157,30 @@ class Performance {
       if (blade.aerodynamics && blade.rotor == rotor)
         radius_ = hub_.radius + blade.beam.length * std::cos(blade.precone);
     if (radius_ == 0.0) throw InputError("no blade of the rotor has aerodynamics, expected some");
-    if (!std::holds_alternative<TorqueBySpeed>(hub_.drive) && options.tip_speed_ratio.empty())
+    if (!std::holds_alternative<TorqueBySpeed>(drive_) && options.tip_speed_ratio.empty())
       given_speed_ = steady::find_steady_speed(scenario, rotor, std::nullopt);
   }
 
   double radius() const { return radius_; }
   /// Returns the angle at which the scenario holds the pitch joints [rad].
   double standing_pitch() const { return pitch_.stands; }
-  /// Returns the least angle of the pitch joints [rad].
-  double first_pitch() const {
+  /// Returns the least angle of the pitch joints in wind of a speed [rad].
+  double first_pitch(double wind) const {
     if (!options_.pitch.empty()) return options_.pitch.front();
-    return least_angle().value_or(pitch_.stands);
+    return least_angle(wind).value_or(pitch_.stands);
   }
 
   /// Returns the state in wind of a speed, at the speed that the rotor finds.
   PerformancePoint find(double wind) {
     if (!options_.pitch.empty()) pitch_.held = options_.pitch.front();
     if (given_speed_)
-      return evaluate(wind, *given_speed_, pitch_.held ? pitch_.held : least_angle());
+      return evaluate(wind, *given_speed_, pitch_.held ? pitch_.held : least_angle(wind));
     const OperatingLine line = find_line(wind);
     const LineEnd end = search_from_rigid(wind, line);
-    if (end.place) return evaluate(wind, speed_at(*end.place, wind), angle_at(*end.place));
+    if (end.place) return evaluate(wind, speed_at(*end.place, wind), angle_at(*end.place, wind));
     const double place = end.drives ? line.highest : line.lowest;
     PerformancePoint gap =
-        describe(wind, end.drives ? speed_at(place, wind) : 0.0, angle_at(place), {});
+        describe(wind, end.drives ? speed_at(place, wind) : 0.0, angle_at(place, wind), {});
     gap.gap = !end.drives       ? "the air does not turn the rotor against its drive"
               : is_controlled() ? "pitch does not hold the set point within its limits"
                                 : "the air drives the rotor beyond a tip-speed ratio of 16";
@@ -171,9 +195,9 @@ class Performance {
   /// Whether speed ends at a set point, which pitch holds.
   bool is_controlled() const { return pitch_.most && !pitch_.held; }
 
-  std::optional<double> least_angle() const {
+  std::optional<double> least_angle(double wind) const {
     if (!pitch_.least) return std::nullopt;
-    return pitch_.stands + pitch_.sign * *pitch_.least;
+    return pitch_.stands + pitch_.sign * pitch_.least(wind);
   }
 
   /// The speed at 0 of the line: the set point, or one beyond any rotor's [rad/s].
@@ -186,17 +210,17 @@ class Performance {
   OperatingLine find_line(double wind) const {
     constexpr double kLowest = 0.5;  // tip-speed ratio
     const double lowest = kLowest * wind / (radius_ * std::abs(greatest_speed(wind)));
-    return {std::min(lowest - 1.0, 0.0), is_controlled() ? *pitch_.most - *pitch_.least : 0.0};
+    return {std::min(lowest - 1.0, 0.0), is_controlled() ? *pitch_.most - pitch_.least(wind) : 0.0};
   }
 
   double speed_at(double place, double wind) const {
     return greatest_speed(wind) * (1.0 + std::min(place, 0.0));
   }
 
-  std::optional<double> angle_at(double place) const {
+  std::optional<double> angle_at(double place, double wind) const {
     if (pitch_.held) return pitch_.held;
     if (!pitch_.least) return std::nullopt;
-    return *least_angle() + pitch_.sign * std::max(place, 0.0);
+    return *least_angle(wind) + pitch_.sign * std::max(place, 0.0);
   }
 
   /// Searches next to where the rigid rotor balances, which needs no equilibria of blades, and by
@@ -207,8 +231,8 @@ class Performance {
     const auto torque_of = [&](RotorInWind& rotor) {
       return [&, turn, wind](double place) {
         const double speed = speed_at(place, wind);
-        return turn * (rotor.find(wind, speed, angle_at(place)).torque +
-                       calc_torque(hub_.drive, kLate, speed));
+        return turn * (rotor.find(wind, speed, angle_at(place, wind)).torque +
+                       calc_torque(drive_, kLate, speed));
       };
     };
     const LineEnd rigid = search(line, 0.0, torque_of(rigid_));
@@ -240,6 +264,7 @@ class Performance {
 
   const spatial::Model& model_;
   const spatial::Hub& hub_;
+  Drive drive_;
   const PerformanceOptions& options_;
   Pitch pitch_;
   RotorInWind rotor_, rigid_;
@@ -306,7 +331,7 @@ PerformanceResult solve_performance(const Scenario& scenario, const PerformanceO
   if (!result.is_map) {
     for (const double wind : options.wind)
       add([&] { return performance.find(wind); },
-          {.wind = wind, .pitch = performance.first_pitch()});
+          {.wind = wind, .pitch = performance.first_pitch(wind)});
     return result;
   }
   const double wind =

@@ -12,7 +12,9 @@ inline constexpr std::array kAirRows{
     number<&spatial::Air::density>("density", Quantity::positive("kg/m^3"), "of the air"),
     number<&spatial::Air::viscosity>(
         "viscosity", Quantity::positive("m^2/s"),
-        "kinematic, for the Reynolds numbers by which polars are chosen")};
+        "kinematic, for the Reynolds numbers by which polars are chosen"),
+    number<&spatial::Air::sound_speed>("sound_speed", Quantity::positive("m/s"),
+                                       "for the Mach numbers by which polars are chosen")};
 
 inline constexpr std::array kAerodynamicsRows{
     choice<&spatial::Air::induction, spatial::Induction::momentum, spatial::Induction::none>(
@@ -108,17 +110,21 @@ inline constexpr std::array kAirfoilRows{
         .required()
         .within("letters, digits, `_`, `-`, `.`; up to 64"),
     by_hand("file", kText,
-            "relative to the scenario's folder: a plain table, or a file of AeroDyn 15 "
+            "relative to the scenario's folder: a plain table, a file of AeroDyn 15, or C81 "
             "([formats](aerodynamics.md#8-aerofoil-files)); **its angles are in degrees**")
         .from("none"),
-    by_hand("polar", kTables, "polars by Reynolds number, `[[airfoil.polar]]`, with the keys below")
+    by_hand("polar", kTables,
+            "polars by Reynolds or Mach number, `[[airfoil.polar]]`, with the keys below")
         .from("none")};
 
 inline constexpr std::array kPolarRows{
     by_hand("reynolds", kNumber, spatial::kReynolds,
             "Reynolds number of the polar, ascending from one to the next")
-        .from("none; required where there are several")
+        .from("none; required where there are several, or `mach`")
         .within("greater than 0"),
+    by_hand("mach", kNumber, spatial::kMach,
+            "in place of it: Mach number of the polar, ascending from one to the next")
+        .from("none"),
     by_hand("angle", kNumbers, spatial::kAngle,
             "angles of attack, ascending; the first is −π, the last π")
         .from("required without `file`")

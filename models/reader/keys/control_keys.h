@@ -12,7 +12,8 @@ inline constexpr std::array kControlRows{
     by_hand("pitch", kTable, "a controller of collective pitch").from("none"),
     by_hand("library", kTable, "in its place: a library of Bladed's kind").from("none"),
     by_hand("program", kTable, "in its place: a controller that the program gives").from("none"),
-    by_hand("turbine", kTable, "in its place: what events move where there is no controller")
+    by_hand("turbine", kTable,
+            "in its place: laws of a wind turbine; without them, what events move")
         .from("none")};
 
 inline constexpr std::array kPitchControlRows{

@@ -54,6 +54,7 @@ inline constexpr Count kModes{0, 10'000};
 
 // Of aerofoils.
 inline constexpr Quantity kReynolds = Quantity::not_negative("");
+inline constexpr Quantity kMach = Quantity::not_negative("");
 inline constexpr Quantity kCoefficient = Quantity::any("");
 
 }  // namespace spoke::spatial

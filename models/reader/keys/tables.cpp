@@ -16,6 +16,7 @@
 #include "models/reader/keys/simulation_keys.h"
 #include "models/reader/keys/solid_keys.h"
 #include "models/reader/keys/tree_keys.h"
+#include "models/reader/keys/turbine_keys.h"
 
 namespace spoke::keys {
 namespace {
@@ -147,7 +148,17 @@ void add_air(std::vector<Table>& all) {
   all.push_back({"control.library.record", {{"[[control.library.record]]", kLibraryRecordRows}}});
   all.push_back({"control.program", {{"controllers", kOuterControlRows}}});
   all.push_back({"control.pitch.schedule", {{"schedules", kScheduleRows}}});
-  all.push_back({"control.turbine", {{"controllers", kOuterControlRows}}});
+  all.push_back(
+      {"control.turbine", {{"controllers", kOuterControlRows}, {"laws of turbines", kLawRows}}});
+  all.push_back({"control.turbine.filter", {{"laws of turbines: filter", kSpeedFilterRows}}});
+  all.push_back({"control.turbine.torque", {{"laws of turbines: torque", kTorqueLawRows}}});
+  all.push_back({"control.turbine.pitch", {{"laws of turbines: pitch", kPitchLawRows}}});
+  all.push_back({"control.turbine.schedule", {{"laws of turbines: schedule", kPitchScheduleRows}}});
+  all.push_back({"control.turbine.smoothing", {{"laws of turbines: smoothing", kSmoothingRows}}});
+  all.push_back(
+      {"control.turbine.individual", {{"laws of turbines: individual", kIndividualRows}}});
+  all.push_back({"control.turbine.actuator", {{"laws of turbines: actuator", kActuatorRows}}});
+  all.push_back({"control.turbine.yaw", {{"laws of turbines: yaw", kYawLawRows}}});
   all.push_back({"event", {{"[[event]]", kEventRows}}});
   all.push_back(
       {"event.pitch", {{"turns of events", kEventYawRows}, {"pitch of events", kEventPitchRows}}});

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "models/air/airfoil_check.h"
+#include "models/air/section_polar.h"
 #include "models/reader/keys/air_keys.h"
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/wind_reader.h"
@@ -41,6 +42,27 @@ Fault find_tower_fault(const BodyDrag& drag) {
   return {};
 }
 
+/// Finds neighbouring stations between whose aerofoils there is no way: one with polars by Reynolds
+/// number, one by Mach number.
+Fault find_choice_fault(const BladeAerodynamics& blade, const Air& air) {
+  using spoke::air::ChosenBy;
+  const auto choice_at = [&](std::size_t k) {
+    const auto found =
+        std::find_if(air.airfoils.begin(), air.airfoils.end(),
+                     [&](const Airfoil& airfoil) { return airfoil.name == blade.airfoil[k]; });
+    return found == air.airfoils.end() ? ChosenBy::nothing : spoke::air::find_choice(*found);
+  };
+  for (std::size_t k = 1; k < blade.airfoil.size(); ++k) {
+    const ChosenBy before = choice_at(k - 1), here = choice_at(k);
+    if (before == here || before == ChosenBy::nothing || here == ChosenBy::nothing) continue;
+    return {"airfoil." + std::to_string(k + 1),
+            "is \"" + blade.airfoil[k] + "\" with polars by " +
+                (here == ChosenBy::mach ? "Mach" : "Reynolds") +
+                " number, expected such as of the station before: between them there is no way"};
+  }
+  return {};
+}
+
 }  // namespace
 
 Fault find_fault(const Airfoil& airfoil) {
@@ -53,6 +75,9 @@ Fault find_fault(const Airfoil& airfoil) {
       first.add(
           {key + '.' + fault->column + (fault->row < 0 ? "" : '.' + std::to_string(fault->row + 1)),
            fault->is});
+    if (const std::string fault = spoke::air::find_mach_fault(airfoil.polars, k); !fault.empty())
+      first.add({key + ".mach", fault});
+    if (airfoil.polars[k].mach) continue;
     if (airfoil.polars.size() > 1 && airfoil.polars[k].reynolds <= 0.0)
       first.add({key + ".reynolds", "is missing, expected one, as there are several polars"});
     if (k > 0 && airfoil.polars[k].reynolds <= airfoil.polars[k - 1].reynolds)
@@ -105,6 +130,7 @@ Fault find_fault(const Air& air, const Model& model) {
     const BladeAerodynamics& own = *model.blades[i].aerodynamics;
     const std::string key = "blades." + std::to_string(i + 1) + ".aerodynamics";
     first.add(find_fault(own, model.blades[i].beam.length).within(key));
+    first.add(find_choice_fault(own, air).within(key));
     for (std::size_t k = 0; k < own.airfoil.size(); ++k)
       if (std::find(names.begin(), names.end(), own.airfoil[k]) == names.end())
         first.add(

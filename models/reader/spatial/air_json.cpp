@@ -16,6 +16,7 @@ namespace {
 Json to_json(const Polar& polar) {
   Json json;
   if (polar.reynolds > 0.0) json.set("reynolds", polar.reynolds);
+  if (polar.mach) json.set("mach", *polar.mach);
   json.set("angle", polar.angle);
   json.set("lift", polar.lift);
   json.set("drag", polar.drag);

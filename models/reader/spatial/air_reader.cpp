@@ -33,6 +33,7 @@ std::vector<std::string> read_names(const TomlSection& section, std::size_t stat
 Polar read_polar(const TomlSection& section) {
   Polar polar;
   polar.reynolds = section.number("reynolds", kReynolds, 0.0);
+  if (section.has("mach")) polar.mach = section.number("mach", kMach);
   polar.angle = section.numbers("angle", kAngle);
   polar.lift = section.numbers("lift", kCoefficient);
   polar.drag = section.numbers("drag", kCoefficient);

@@ -190,7 +190,7 @@ Fault find_fault(const OuterControl& control, const Model& model) {
     first.add({"yaw_joint", fault});
   if (control.has_controller && model.hub.support == HubSupport::free && !model.support)
     first.add({"", "is of a hub that is free, expected one on an axle"});
-  if (control.has_controller && prescribes_motion(model.hub.drive))
+  if (control.sets_torque() && prescribes_motion(model.hub.drive))
     first.add({"", "sets the torque of a drive, but hub.drive.kind is \"" +
                        std::string(name_of(model.hub.drive)) + "\", expected \"torque\""});
   if (control.gear_ratio && model.support && axle_of(model, 0).train)
@@ -202,6 +202,7 @@ Fault find_fault(const OuterControl& control, const Model& model) {
     first.add({"individual_pitch", "is true of " + std::to_string(blades) +
                                        " blades and subsystems, expected at most 3"});
   first.add(find_record_fault(control.records));
+  if (control.laws) first.add(find_laws_fault(control));
   return first.found();
 }
 

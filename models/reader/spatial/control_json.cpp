@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "models/reader/keys/control_keys.h"
+#include "models/reader/keys/turbine_keys.h"
 #include "models/reader/row_reader.h"
 #include "models/reader/spatial/spatial_fields.h"
 
@@ -19,6 +20,18 @@ std::string absolute(const std::string& file) {
   std::error_code error;
   const std::filesystem::path path = std::filesystem::absolute(file, error);
   return error ? file : path.lexically_normal().string();
+}
+
+/// Returns the table of one part of a turbine's laws.
+template <class Part>
+Json part_to_json(keys::Rows rows, const Part& part) {
+  Json json = Json::object();
+  keys::write(rows, &part, json);
+  keys::visit_stations(
+      rows, part, [&](std::string_view key, const std::vector<double>& values, const Quantity&) {
+        if (!values.empty()) json.set(key, values);
+      });
+  return json;
 }
 
 }  // namespace
@@ -66,6 +79,10 @@ Json control_to_json(const OuterControl& control) {
   }
   for (const std::string& name : control.joints) json.append("joints", name);
   write(keys::kOuterControlRows);
+  if (control.laws)
+    keys::visit_laws(*control.laws, [&](std::string_view key, keys::Rows rows, const auto& part) {
+      if (part) json.set(key, part_to_json(rows, *part));
+    });
   json.set("sign", static_cast<int>(control.sign));
   if (!control.yaw_joint.empty()) json.set("yaw_joint", control.yaw_joint);
   json.set("direction", static_cast<int>(control.direction));

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "models/reader/curve_reader.h"
+#include "models/reader/keys/turbine_keys.h"
 #include "models/reader/row_reader.h"
 #include "models/reader/spatial/fault.h"
 #include "models/reader/spatial/spatial_fields.h"
@@ -89,10 +90,34 @@ void read_library(const TomlSection& section, const std::string& folder, OuterCo
   }
 }
 
+/// Reads the tables of laws; none: there are none.
+std::optional<TurbineLaws> read_laws(const TomlSection& section) {
+  TurbineLaws laws;
+  bool is_any = false;
+  keys::visit_laws(laws, [&](std::string_view key, keys::Rows rows, auto& part) {
+    if (!section.has(key)) return;
+    const TomlSection table = section.section(key, keys::keys_of(rows));
+    auto& made = part.emplace();
+    keys::read(table, rows, &made);
+    keys::visit_stations(
+        rows, made, [&](std::string_view name, std::vector<double>& values, const Quantity& range) {
+          if (!table.has(name)) return;
+          if (table.is_array(name))
+            values = table.numbers(name, range);
+          else
+            values = {table.number(name, range)};
+        });
+    is_any = true;
+  });
+  if (!is_any) return std::nullopt;
+  return laws;
+}
+
 OuterControl read_outer(const TomlSection& section, const std::string& folder,
                         std::string_view table, const Model& model) {
   OuterControl control;
-  control.has_controller = table != "turbine";
+  if (table == "turbine") control.laws = read_laws(section);
+  control.has_controller = table != "turbine" || control.laws;
   if (table == "library") read_library(section, folder, control);
   control.joints = read_controlled_joints(section);
   keys::read(section, keys::kOuterControlRows, &control);
@@ -123,9 +148,13 @@ void read_control(const TomlSection& root, const std::string& folder, Model& mod
     model.outer_control = read_outer(
         parent.section("library", keys::keys_of(keys::kLibraryRows, keys::kOuterControlRows)),
         folder, first, model);
-  if (first == "program" || first == "turbine")
+  if (first == "program")
     model.outer_control = read_outer(parent.section(first, keys::keys_of(keys::kOuterControlRows)),
                                      folder, first, model);
+  if (first == "turbine")
+    model.outer_control =
+        read_outer(parent.section(first, keys::keys_of(keys::kOuterControlRows, keys::kLawRows)),
+                   folder, first, model);
 }
 
 }  // namespace spoke::spatial

@@ -118,6 +118,8 @@ Fault find_fault(const Air& air, const Model& model);
 /// Finds a fault of a controller of a model that is otherwise fine.
 Fault find_fault(const PitchControl& control, const Model& model);
 Fault find_fault(const OuterControl& control, const Model& model);
+/// Finds faults of a turbine's laws, which `control` has.
+Fault find_laws_fault(const OuterControl& control);
 
 /// Returns what is wrong with the sizes of all blades and subsystems together; empty if nothing is.
 std::string find_size_fault(const Model& model);

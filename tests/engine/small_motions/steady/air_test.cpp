@@ -262,6 +262,38 @@ TEST_CASE("the NREL 5 MW rotor has its published power and thrust, rigid and ela
   }
 }
 
+TEST_CASE(
+    "laws of a turbine: performance takes their torque, their set point and their least pitch") {
+  const auto with = [](const std::string& laws) {
+    return test::read_shipped(
+        "nrel_5mw_in_wind",
+        {"control={ turbine = { joint = \"pitch\", sign = -1, torque = { square = "
+         "2.1286e6, speed = 1.2671, rated = 4.180074e6, " +
+         laws + "pitch = { speed = 1.267109, integral = 0.1, maximum = 1.57 } } }"});
+  };
+  for (const std::string gains : {"", "proportional = 1e6, integral = 1e5, minimum = 0.7, "}) {
+    CAPTURE(gains);
+    const PerformanceResult result = solve_performance(
+        with(gains + "above = \"power\" }, "), {.wind = {4.0, 8.0, 15.0}, .is_rigid = true});
+    const PerformancePoint& slow = result.points.at(0);
+    if (gains.empty())
+      CHECK(slow.torque == approx(2.1286e6 * slow.speed * slow.speed).epsilon(1e-4));
+    else
+      CHECK(slow.speed == approx(0.7).epsilon(1e-5));
+    const PerformancePoint& below = result.points.at(1);
+    CHECK(below.torque == approx(2.1286e6 * below.speed * below.speed).epsilon(1e-4));
+    CHECK(below.pitch == 0.0);
+    CHECK(result.points.at(2).speed == approx(1.267109));
+    CHECK(result.points.at(2).power == approx(4.180074e6 * 1.2671).epsilon(1e-4));
+    CHECK(result.points.at(2).pitch < -0.16);
+  }
+  const PerformanceResult shaved = solve_performance(
+      with("above = \"power\" }, schedule = { wind = [8.0, 10.0], angle = [0.0, 0.05] }, "),
+      {.wind = {8.0, 9.0, 10.0}, .is_rigid = true});
+  CHECK(shaved.points.at(1).pitch == approx(-0.025));
+  CHECK(shaved.points.at(2).pitch == approx(-0.05));
+}
+
 TEST_CASE("a governed rotor is found by itself in any wind, beyond that of shutdown too") {
   constexpr double kDegree = std::numbers::pi / 180.0;
   const Scenario scenario = test::read_shipped("nrel_5mw_in_wind");
