@@ -22,6 +22,13 @@ PICTURES = ROOT / "docs" / "pictures" / "gallery"
 LONGEST = 20.0  # seconds of a run that its picture needs
 WIDTH, HEIGHT = 600, 380  # pixels of a picture
 
+# Lets the picture of a page, which moves, cover all else.
+MOVING = """<style>
+body { overflow: hidden }
+#animation-inertial { position: fixed; inset: 0; z-index: 10; background: Canvas;
+  width: 100vw !important; height: 100vh !important; max-width: none; max-height: none }
+</style>"""
+
 STILL = """<script>setTimeout(() => {
   const canvas = document.getElementById('animation-inertial');
   const image = new Image();
@@ -60,6 +67,11 @@ def run(program, file, out):
     subprocess.run(command, check=True, cwd=ROOT)
 
 
+def write_moving(page):
+    text = page.read_text(encoding="utf-8")
+    page.with_name("moving.html").write_text(text.replace("</body>", MOVING + "</body>"), encoding="utf-8")
+
+
 def take_picture(page, picture):
     still = page.with_name("still.html")
     still.write_text(page.read_text(encoding="utf-8").replace("</body>", STILL + "</body>"), encoding="utf-8")
@@ -72,7 +84,7 @@ def take_picture(page, picture):
 def write_page(out, shown):
     cards = "\n".join(
         f'<section><h2>{html.escape(title)}</h2><p>{html.escape(text)}</p>'
-        f'<iframe loading="lazy" title="{html.escape(title)}" src="{name}/report.html"></iframe>'
+        f'<iframe loading="lazy" title="{html.escape(title)}" src="{name}/moving.html"></iframe>'
         f'<p><a href="{name}/report.html">the page of the run</a> &middot; <code>spoke run models/{name}.toml</code></p></section>'
         for name, title, text in shown)
     (out / "index.html").write_text(f"""<!DOCTYPE html>
@@ -82,7 +94,7 @@ def write_page(out, shown):
 body {{ font: 16px/1.4 system-ui, sans-serif; margin: 1rem; color-scheme: light dark }}
 main {{ display: grid; grid-template-columns: repeat(auto-fill, minmax(30rem, 1fr)); gap: 1.5rem }}
 section {{ border: 1px solid #8884; border-radius: 6px; padding: 0 1rem }}
-iframe {{ width: 100%; height: 26rem; border: 0 }}
+iframe {{ width: 100%; height: 20rem; border: 0 }}
 h2 {{ font-size: 1.1rem }}
 </style></head><body><h1>Spoke: shipped scenarios</h1><main>
 {cards}
@@ -114,6 +126,7 @@ def main(program, out, *names):
     for file in scenarios(names):
         print(file.stem, flush=True)
         run(program, file, out / file.stem)
+        write_moving(out / file.stem / "report.html")
         if shutil.which("chromium"):
             PICTURES.mkdir(parents=True, exist_ok=True)
             take_picture(out / file.stem / "report.html", PICTURES / f"{file.stem}.png")
