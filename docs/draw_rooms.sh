@@ -62,6 +62,7 @@ program/ranks/	processes of MPI
 program/report/	pages and charts
 program/viewer/	the page of a trace
 program/study/	many runs, and what they say
+program/verify/	published and exact cases
 program/study_report/	report.html of a study
 program/run_report/	report.html of a run
 program/steady_report/	files and pages of modes

@@ -45,6 +45,7 @@ std::vector<Command> list_commands(const std::vector<Command>& own) {
       {.name = "import", .summary = kImportSummary},
       {.name = "export", .summary = kExportSummary},
       {.name = "fmu", .summary = kFmuSummary},
+      {.name = "verify", .summary = kVerifySummary},
       {.name = "compare", .summary = kCompareSummary},
       {.name = "trace", .program = kWhole, .summary = "Record steps, node by node, to look at"},
       {.name = "reproduce", .summary = kReproduceSummary},

@@ -8,6 +8,7 @@ const char* const kStudySummary = "Run a scenario many times, with other values"
 const char* const kImportSummary = "Make a scenario of files of other programs";
 const char* const kFmuSummary = "Make an FMU of a scenario, for other programs to simulate with";
 const char* const kExportSummary = "Write a blade of a scenario as files of another program";
+const char* const kVerifySummary = "Compare results with published and exact ones";
 const char* const kCompareSummary = "Measure which executor and number of threads is fastest here";
 const char* const kReproduceSummary = "Repeat the paper's evaluation on this machine";
 

@@ -30,6 +30,7 @@ extern const char* const kStudySummary;
 extern const char* const kImportSummary;
 extern const char* const kExportSummary;
 extern const char* const kFmuSummary;
+extern const char* const kVerifySummary;
 extern const char* const kCompareSummary;
 extern const char* const kReproduceSummary;
 

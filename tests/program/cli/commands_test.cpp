@@ -24,11 +24,11 @@ constexpr bool kPutsOffSignals = true;
 constexpr bool kPutsOffSignals = false;
 #endif
 
-constexpr const char* kPrograms[] = {"study",   "import",   "export",
+constexpr const char* kPrograms[] = {"study",  "import",  "export",
 #ifdef SPOKE_HAS_FMU
                                      "fmu",
 #endif
-                                     "compare", "reproduce"};
+                                     "verify", "compare", "reproduce"};
 
 /// The words of a run that takes no time.
 std::vector<std::string> short_run(const std::string& out) {
