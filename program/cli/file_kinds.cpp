@@ -45,6 +45,7 @@ const std::array kResultKinds{
     ResultKind{"Cp_Ct_Cq.txt", {"a table of coefficients by Spoke", "#", "Written by Spoke"}},
     ResultKind{"verify.csv", {kTable, "case,figure,"}},
     ResultKind{".toml", {"a scenario of spoke verify", "# A scenario of spoke verify"}},
+    ResultKind{".inp", {"a mesh of spoke verify", "** A mesh of spoke verify"}},
     ResultKind{".txt", {"a polar of spoke verify", "# A polar of spoke verify"}},
     ResultKind{"compare.csv", {kTable, "formulation,executor,"}},
     ResultKind{".html", kPage},

@@ -37,7 +37,9 @@ void list_cases(const std::vector<Case>& cases) {
 /// Writes the scenarios of cases to a folder.
 void write_scenarios(const std::vector<CaseFile>& files, const fs::path& folder) {
   for (const CaseFile& file : files) {
-    fs::create_directories((folder / file.path).parent_path());
+    const fs::path place = (folder / file.path).parent_path();
+    require_folder(place);
+    fs::create_directories(place);
     require_places(folder, {file.path});
   }
   for (const CaseFile& file : files) replace_file((folder / file.path).string(), file.text);

@@ -54,8 +54,11 @@ double critical_figure(const CriticalResult& result, const Figure& figure) {
 }
 
 double performance_figure(const PerformanceResult& result, const Figure& figure) {
-  const PerformancePoint& point =
-      result.points.at(std::min<std::size_t>(figure.number, result.points.size()) - 1);
+  const auto number = static_cast<std::size_t>(figure.number);
+  if (number > result.points.size())
+    throw InputError("figure \"" + figure.name + "\": there are only " +
+                     std::to_string(result.points.size()) + " points");
+  const PerformancePoint& point = result.points[number - 1];
   if (!point.gap.empty()) throw InputError(point.gap);
   if (figure.quantity == "power") return point.power;
   if (figure.quantity == "thrust") return point.thrust;

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <exception>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -21,7 +22,7 @@
 namespace spoke::verify {
 namespace {
 
-const std::string kCases = "cases/", kScenarios = "scenarios/", kAirfoils = "airfoils/";
+const std::string kCases = "cases/", kScenarios = "scenarios/", kMeshes = "meshes/";
 
 const std::string& find_text(const std::string& path, const Case& one,
                              const std::vector<CaseFile>& files) {
@@ -30,13 +31,13 @@ const std::string& find_text(const std::string& path, const Case& one,
   throw InputError("case \"" + one.name + "\": there is no file \"" + path + '"');
 }
 
-/// Appends the files of a folder whose names end in ".toml".
+/// Appends the files of a folder whose names have this ending; their paths begin with `below`.
 void append_files(const std::filesystem::path& folder, const std::string& below,
-                  std::vector<CaseFile>& files) {
+                  const std::string& ending, std::vector<CaseFile>& files) {
   std::error_code error;
   std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(folder / below, error))
-    if (entry.path().extension() == ".toml") paths.push_back(entry.path());
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+    if (entry.path().extension() == ending) paths.push_back(entry.path());
   std::sort(paths.begin(), paths.end());
   for (const std::filesystem::path& path : paths)
     files.push_back({below + path.filename().string(), read_text(path)});
@@ -48,7 +49,7 @@ CaseResult run_case(const Case& one, const std::filesystem::path& folder) {
   try {
     const std::string file = (folder / (one.scenario + ".toml")).string();
     result.values = evaluate(one, read_scenario(file, one.overrides));
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {  // a fault of one case is no reason to lose the others
     result.failure = error.what();
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -66,10 +67,11 @@ std::vector<CaseFile> copy_shipped_files() {
 
 std::vector<CaseFile> read_files(const std::filesystem::path& folder) {
   std::vector<CaseFile> files;
-  append_files(folder, kCases, files);
+  append_files(folder / kCases, kCases, ".toml", files);
   if (files.empty())
     throw InputError(folder.string() + ": has no cases, expected files cases/*.toml");
-  append_files(folder, kScenarios, files);
+  append_files(folder / kScenarios, kScenarios, ".toml", files);
+  append_files(folder / kScenarios / kMeshes, kMeshes, ".inp", files);
   for (CaseFile& file : copy_shipped_files())
     if (!file.path.starts_with(kCases)) files.push_back(std::move(file));
   return files;
@@ -113,17 +115,22 @@ std::vector<CaseFile> find_needed_files(const std::vector<Case>& cases,
                                         const std::vector<CaseFile>& files) {
   std::vector<CaseFile> needed;
   std::set<std::string> seen;
-  bool has_air = false;
+  std::string texts;
   for (const Case& one : cases) {
     const std::string name = one.scenario + ".toml";
     if (!seen.insert(name).second) continue;
     const std::string& text = find_text(kScenarios + name, one, files);
-    has_air = has_air || text.find(kAirfoils) != std::string::npos;
+    texts += text;
     needed.push_back({name, "# A scenario of spoke verify.\n" + text});
   }
-  for (const CaseFile& file : files)
-    if (has_air && file.path.starts_with(kAirfoils))
-      needed.push_back({file.path, "# A polar of spoke verify.\n" + file.text});
+  for (const CaseFile& file : files) {
+    const bool is_read = !file.path.starts_with(kCases) && !file.path.starts_with(kScenarios);
+    if (!is_read || texts.find(file.path) == std::string::npos) continue;
+    const bool is_mesh = file.path.starts_with(kMeshes);
+    needed.push_back(
+        {file.path,
+         (is_mesh ? "** A mesh of spoke verify.\n" : "# A polar of spoke verify.\n") + file.text});
+  }
   return needed;
 }
 

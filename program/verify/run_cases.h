@@ -20,9 +20,9 @@ struct CaseFile {
 };
 /// Returns the files that come with the program.
 std::vector<CaseFile> copy_shipped_files();
-/// Returns the files of a user's folder, cases/*.toml and scenarios/*.toml in the order of their
-/// names, and behind them the scenarios that come with the program. Throws InputError if there are
-/// no cases.
+/// Returns the files of a user's folder, cases/*.toml, scenarios/*.toml and scenarios/meshes/*.inp
+/// in the order of their names, and behind them the scenarios that come with the program. Throws
+/// InputError if there are no cases.
 std::vector<CaseFile> read_files(const std::filesystem::path& folder);
 
 /// Returns all cases in the order of their files. Throws InputError, also if two have one name.

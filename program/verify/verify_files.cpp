@@ -217,15 +217,15 @@ std::string make_markdown(const std::vector<CaseResult>& results) {
   const Tally tally = count(results);
   std::string text = fmt::format(
       "# Verification\n\n"
-      "`spoke verify` computes problems whose answers are known, and compares: {}. This page is\n"
-      "its output, by `spoke verify --markdown > docs/verification.md`; `spoke verify NAME` makes\n"
-      "one case or group, and writes `verify.html`, `verify.csv`, `verify.json` and the scenarios "
-      "to run by hand.\nIt ends with status 3 if a figure is not within its stated error.\n\n"
-      "Exact values are published, or follow from a closed form or an independent computation;\n"
-      "none is Spoke's own. Errors are shares of the exact value, or of the scale that\n"
-      "`verify.json` names. Times are wall times of one thread, with the reading of the "
-      "scenario, on a machine\nwith other work on it: {:.0f} s in all. How Spoke compares with "
-      "other programs in time is in\n[peers.md](peers.md).\n",
+      "[`spoke verify`](verify.md) computes problems whose answers are known, and compares: {}.\n"
+      "This page is what `spoke verify --markdown` prints.\n\n"
+      "An exact value is published, or follows from a closed form or an independent computation;\n"
+      "none is Spoke's own. Those that can be are computed anew by a test,\n"
+      "`tests/program/verify/exact_values.py`. Errors are shares of the exact value, or of the\n"
+      "scale that `verify.json` names. Times are wall times of a case on one thread, with the\n"
+      "reading of its scenario, on a machine with other work on it: {:.0f} s in all.\n\n"
+      "How long other programs take on the same problems, where that was measured side by side,\n"
+      "is in [peers.md](peers.md).\n",
       describe(tally), total_seconds(results));
   for_each_group(results, [&](const std::string& group, const std::vector<CaseResult>& members) {
     text += markdown_group(group, members);

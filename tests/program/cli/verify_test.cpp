@@ -55,5 +55,10 @@ TEST_CASE("spoke verify takes a user's cases, and ends with 3 if one is off") {
 TEST_CASE("spoke verify refuses names that it does not know, and folders without cases") {
   check_refused({"verify", "beck_colum"},
                 "there is no case or group \"beck_colum\", did you mean \"beck_column\"?");
+  check_refused({"verify", "--list", "--markdown"}, "--list");
+  check_refused({"verify", "--threads", "0"}, "--threads");
+  const WorkFolder folder;
+  std::ofstream(folder.path() / "v") << "mine";
+  check_refused({"verify", "hinged_blade", "--out", "v"}, "v", folder);
   check_refused({"verify", "--cases", "none"}, "none: has no cases, expected files cases/*.toml");
 }

@@ -44,14 +44,16 @@ def differentiation(count):
     return (x + 1) / 2, 2.0 * D
 
 
-def collocate(along, slope, count=22):
-    """Returns the squares of the frequencies of a cantilever of unit length, mass and stiffness with
-    the fourth derivative + along(x) the second + slope(x) the first of its deflection, ascending."""
+def collocate(along, slope, count=22, length=1.0, hinged=False):
+    """Returns the squares of the frequencies of a beam of unit mass and stiffness with the fourth
+    derivative + along(x) the second + slope(x) the first of its deflection, ascending. Its root is
+    clamped or hinged."""
     x, D = differentiation(count)
+    x, D = length * x, D / length
     D2 = D @ D
     A = D2 @ D2 + np.diag(along(x)) @ D2 + np.diag(slope(x)) @ D
     B = np.eye(count + 1)
-    for row, condition in {-1: np.eye(count + 1)[-1], -2: D[-1], 0: D2[0], 1: (D2 @ D)[0]}.items():
+    for row, condition in {-1: np.eye(count + 1)[-1], -2: (D2 if hinged else D)[-1], 0: D2[0], 1: (D2 @ D)[0]}.items():
         A[row], B[row] = condition, 0.0
     values = eig(A, B, right=False)
     values = values[np.isfinite(values) & (np.abs(values) < 1e6)]
@@ -95,6 +97,8 @@ def set_stability():
     EXACT["euler_hinged / critical load"] = pi**2
     EXACT["euler_clamped_hinged / critical load"] = brentq(lambda k: sin(k) - k * cos(k), 4.2, 4.7) ** 2
     EXACT["euler_clamped / critical load"] = 4 * pi**2
+    EXACT["quasitangential_moment / critical moment"] = pi / 2
+    EXACT["semitangential_moment / critical moment"] = pi
     # Greenhill: J(-1/3, 2/3 sqrt q) = 0; Prandtl: J(-1/4, p/2) = 0 with p = P L^2/sqrt(EI GJ).
     EXACT["greenhill_column / critical weight"] = (1.5 * roots(lambda z: jv(-1 / 3, z), 1)[0]) ** 2
     EXACT["lateral_buckling / critical force"] = 2 * roots(lambda z: jv(-0.25, z), 1)[0] * sqrt(100 * 80)
@@ -115,6 +119,11 @@ def set_rotating():
         for name, square in zip(ORDINALS, squares):
             EXACT[f"wright_beam_{speed} / {name} across the plane"] = sqrt(square)
             EXACT[f"wright_beam_{speed} / {name} in the plane"] = sqrt(square - speed**2)
+    for e in (0.05, 0.3):
+        squares = collocate(lambda x: -50 * (1 - (e + x) ** 2), lambda x: 100 * (e + x), length=1 - e, hinged=True).real
+        case = f"hinged_elastic_blade_{e}".replace(".", "_")
+        EXACT[f"{case} / first flap"], EXACT[f"{case} / second flap"] = np.sqrt(squares[:2])
+        EXACT[f"{case} / first lag"] = sqrt(squares[0] - 100)
     EXACT["hinged_blade / lag"] = 10 * sqrt(1.5 * 0.05)
     EXACT["hinged_blade / flap"] = 10 * sqrt(1 + 1.5 * 0.05)
     w0 = pi / 2 * sqrt(0.004 / 2.2e-4)
@@ -316,10 +325,29 @@ def set_critical_speeds():
     EXACT["coleman_onset / speed of onset"] = low
 
 
+def set_slider_crank(r=0.2, rod=0.5, speed=10.0, mass=2.0):
+    angle = speed * 1.0
+    root = sqrt(rod**2 - (r * sin(angle)) ** 2)
+    EXACT["slider_crank / slider"] = r * cos(angle) + root - r - rod
+    # By the angle: first and second derivative of the place.
+    first = -r * sin(angle) - r**2 * sin(angle) * cos(angle) / root
+    second = (-r * cos(angle) - r**2 * cos(2 * angle) / root
+              - (r**2 * sin(angle) * cos(angle)) ** 2 / root**3)
+    EXACT["slider_crank / torque"] = mass * speed**2 * first * second
+
+
+def set_hover(radius=6.0, root=0.6, speed=80.0, chords=1.2, pitch=0.02, density=1.2):
+    part = chords / (pi * radius) * 2 * pi  # solidity times lift slope
+    inflow = part / 16 * (sqrt(1 + 32 * pitch / part) - 1)
+    area, share = pi * radius**2, 1 - (root / radius) ** 2
+    thrust = part / 4 * (pitch - inflow) * share * density * area * (speed * radius) ** 2
+    EXACT["ideal_hover / thrust"] = 1e-3 * thrust
+
+
 def set_all():
     for function in (set_beams, set_timoshenko, set_stability, set_rotating, set_elastica, set_rods,
                      set_motions, set_top, set_linkages, set_rotors, set_air, set_points,
-                     set_critical_speeds):
+                     set_critical_speeds, set_slider_crank, set_hover):
         function()
 
 
