@@ -38,12 +38,27 @@ constexpr Unit kUnits[] = {
     {"MW", 1e-6},
 };
 
+/// Returns an option with the first of its values; the command line takes one, or a range.
+std::string describe_list(const char* option, const std::vector<double>& values,
+                          double factor = 1.0) {
+  return values.empty() ? "" : fmt::format("{}{}", option, values.front() * factor);
+}
+
 std::string describe_options(const Analysis& analysis) {
   std::string text;
   if (analysis.kind == AnalysisKind::critical)
     text += fmt::format(" --of {} --from {} --to {} --points {}", analysis.critical.of,
                         analysis.critical.from, analysis.critical.to, analysis.critical.points);
+  const PerformanceOptions& performance = analysis.performance;
+  text += describe_list(" --wind ", performance.wind);
+  text += describe_list(" --tip-speed-ratio ", performance.tip_speed_ratio);
+  text += describe_list(" --pitch ", performance.pitch, factor_of_unit("deg"));
+  if (performance.is_rigid) text += " --rigid";
   if (analysis.state.speed) text += fmt::format(" --speed {}", *analysis.state.speed);
+  if (analysis.frame) {
+    constexpr const char* kFrames[] = {"turning", "fixed", "floquet"};
+    text += fmt::format(" --frame {}", kFrames[static_cast<std::size_t>(*analysis.frame)]);
+  }
   if (analysis.count) text += fmt::format(" --count {}", *analysis.count);
   return text;
 }

@@ -61,7 +61,8 @@ struct Case {
 /// Returns the factor from SI to a unit of figures; 0: the unit is not known.
 double factor_of_unit(std::string_view unit);
 
-/// Returns the command that does the same as a case by hand, the scenario being in `folder`.
+/// Returns the command that does the same as a case by hand, the scenario being in `folder`; of
+/// several winds, ratios or pitches for the first.
 std::string command_of(const Case& one, const std::string& folder);
 
 }  // namespace spoke::verify
