@@ -10,6 +10,7 @@
 #include "engine/output_file.h"
 #include "engine/run_statistics.h"
 #include "engine/support/machine_json.h"
+#include "engine/support/source_commit.h"
 #include "models/error.h"
 #include "models/reader/scenario_json.h"
 #include "models/support/instructions.h"
@@ -172,7 +173,9 @@ namespace {
 Json summarise(const Simulation& simulation, const SensorStatistics& statistics,
                const RunOutcome& outcome) {
   const Scenario& scenario = simulation.scenario();
-  Json summary = {{"version", SPOKE_VERSION}, {"status", status_of(outcome)}};
+  Json summary = {{"version", SPOKE_VERSION}};
+  if (!source_commit().empty()) summary.set("commit", source_commit());
+  summary.set("status", status_of(outcome));
   const std::string message = outcome.divergence + outcome.interruption;
   if (!message.empty()) summary.set("message", message);
   std::vector<std::string> warnings;

@@ -113,6 +113,10 @@ void add_help(CLI::App& command, Arguments& arguments) {
   command.footer(std::string(kHelpText) + '\n' + kStatusText);
 }
 
+void add_doctor(CLI::App& command, Arguments&) {
+  command.footer(std::string(kDoctorText) + '\n' + kStatusText);
+}
+
 void add_trace(CLI::App& trace, Arguments& arguments) {
   add_common(trace, arguments);
   add_out(trace, arguments, "results/<name of the scenario>/trace");
@@ -141,6 +145,7 @@ std::vector<Command> make_commands() {
       {.name = "schema", .add_options = add_schema, .execute = print_schema, .prints_result = true},
       {.name = "new", .add_options = add_new, .execute = write_new},
       {.name = "help", .add_options = add_help, .execute = explain_key, .prints_result = true},
+      {.name = "doctor", .add_options = add_doctor, .execute = examine, .prints_result = true},
       {.name = "trace", .add_options = add_trace, .execute = trace},
   });
 }

@@ -52,6 +52,9 @@ int write_new(const Arguments& arguments);
 /// Prints what a key of scenarios means. Throws InputError if there is none of this name.
 int explain_key(const Arguments& arguments);
 
+/// Prints what this installation has, and which optional parts are missing.
+int examine(const Arguments& arguments);
+
 /// Linearises a scenario's model, prints its size and writes its matrices. Throws InputError and
 /// DivergenceError.
 int linearize(const Arguments& arguments);

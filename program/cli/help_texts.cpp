@@ -226,6 +226,15 @@ Examples:
   spoke help blade.joint
 )";
 
+const char* const kDoctorText =
+    R"(Says which version and commit this is, what it was built with and without, which of its commands
+are built, which programs of others it finds, and where it keeps and writes files. What is missing is
+named with what it is for and with Debian's package.
+
+Examples:
+  spoke doctor
+)";
+
 const char* const kTraceText =
     R"(Records which thread runs which node of the step graph when, in the steps that follow --from. The
 steps are those of spoke run: same graph, same executor, same bits. Steps that are less than half a

@@ -22,6 +22,7 @@ extern const char* const kWindText;
 extern const char* const kSchemaText;
 extern const char* const kNewText;
 extern const char* const kHelpText;
+extern const char* const kDoctorText;
 extern const char* const kTraceText;
 extern const char* const kProgramText;
 

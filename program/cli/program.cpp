@@ -19,6 +19,7 @@
 #include <optional>
 #include <sstream>
 
+#include "engine/support/source_commit.h"
 #include "graph/execute/unbound_thread.h"
 #include "graph/executor.h"
 #include "models/error.h"
@@ -114,13 +115,20 @@ std::string check_first(const std::vector<Command>& commands,
                    " (see spoke --help)");
 }
 
+/// Returns "spoke VERSION (COMMIT)".
+std::string describe_version() {
+  std::string text = "spoke " SPOKE_VERSION;
+  if (!source_commit().empty()) text += " (" + std::string(source_commit()) + ')';
+  return text;
+}
+
 /// Returns the command that is asked for. Returns null if help or the version is asked for, which
 /// it prints. Throws InputError.
 const Command* parse(const std::vector<Command>& commands, const std::vector<std::string>& words,
                      Arguments& arguments) {
   CLI::App program("Spoke simulates flexible multibody systems; every step is a task graph.",
                    "spoke");
-  program.set_version_flag("--version", "spoke " SPOKE_VERSION, "Print the version");
+  program.set_version_flag("--version", describe_version(), "Print the version");
   program.footer(std::string(kProgramText) + '\n' + kStatusText);
   program.require_subcommand(1);
   for (const Command& command : commands) {

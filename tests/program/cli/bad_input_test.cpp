@@ -12,14 +12,15 @@ namespace fs = std::filesystem;
 
 TEST_CASE("a bad command line is refused in one line and nothing is written") {
   const std::string scenario = shipped("wu_haug_rotor");
-  check_refused({},
-                "spoke: no command, expected run, check, reduce, static, modes, campbell, "
-                "critical, performance, linearize, wind, schema, new, help, study, import, export, "
-                "fmu, verify, "
-                "compare, trace or reproduce (see spoke --help)");
+  check_refused(
+      {},
+      "spoke: no command, expected run, check, reduce, static, modes, campbell, "
+      "critical, performance, linearize, wind, schema, new, help, doctor, study, import, export, "
+      "fmu, verify, "
+      "compare, trace or reproduce (see spoke --help)");
   check_refused({"rnu", scenario},
                 "spoke: unknown command \"rnu\", expected run, check, reduce, static, modes, "
-                "campbell, critical, performance, linearize, wind, schema, new, help, "
+                "campbell, critical, performance, linearize, wind, schema, new, help, doctor, "
                 "study, import, export, fmu, verify, "
                 "compare, trace or reproduce");
   check_refused({"--quiet"}, "spoke: unknown command \"--quiet\"");
