@@ -1,5 +1,4 @@
-// Parameters of ROSCO become the laws of [control.turbine]. The file is the tests' own, in ROSCO's
-// form.
+// Parameters of ROSCO become the laws of [control.turbine]. The file is the tests' own.
 
 #include <doctest/doctest.h>
 
@@ -19,78 +18,13 @@ namespace {
 
 constexpr double kGear = 10.0;
 
-const std::string kDiscon = R"(! Controller parameter input file for a small turbine
-!    - File of the tests
+/// Parameters of ROSCO for a small turbine.
+const std::string& discon() { return samples().at("small_DISCON.IN"); }
 
-!------- CONTROLLER FLAGS -------------------------------------------------
-2             ! F_LPFType       - (1: first-order low-pass filter, 2: second-order)
-1             ! IPC_ControlMode - Individual pitch
-1             ! VS_ControlMode  - Generator torque control mode
-1             ! VS_ConstPower   - Do constant power torque control
-1             ! PC_ControlMode  - Blade pitch control mode
-1             ! Y_ControlMode   - Yaw control mode
-1             ! SS_Mode         - Setpoint Smoother mode
-2             ! WE_Mode         - Wind speed estimator mode
-1             ! PS_Mode         - Pitch saturation mode
-0             ! SD_Mode         - Shutdown mode
-0             ! TD_Mode         - Tower damper mode
-2             ! PA_Mode         - Pitch actuator mode
-!------- FILTERS ----------------------------------------------------------
-2.5           ! F_LPFCornerFreq - [rad/s]
-0.7           ! F_LPFDamping    - [-]
-0             ! F_NumNotchFilts - Number of notch filters placed on sensors
-0.6           ! F_SSCornerFreq  - [rad/s].
-0.2           ! F_WECornerFreq  - [rad/s].
-0.1           ! F_YawErr        - [rad/s].
-!------- BLADE PITCH CONTROL ----------------------------------------------
-3             ! PC_GS_n         - Amount of gain-scheduling table entries
-0.0  0.1  0.2 ! PC_GS_angles    - [rad].
--0.02 -0.01 0.005 ! PC_GS_KP    - [s].
--0.008  -0.006  -0.004 ! PC_GS_KI - [-].
-0.0 0.0 0.0   ! PC_GS_KD        -
-1.57          ! PC_MaxPit       - [rad].
--0.02         ! PC_MinPit       - [rad].
-0.14          ! PC_MaxRat       - [rad/s].
-32.0          ! PC_RefSpd       - [rad/s].
-0.01          ! PC_FinePit      - [rad]
-0.017         ! PC_Switch       - [rad]
-!------- INDIVIDUAL PITCH CONTROL -----------------------------------------
-6.0  9.0      ! IPC_Vramp       - [m/s]
-0.3           ! IPC_IntSat      - [rad]
-0.0 0.0       ! IPC_KP          - [-]
-1e-8 0.0      ! IPC_KI          - [-]
-0.1 0.0       ! IPC_aziOffset   - [rad].
-!------- VS TORQUE CONTROL ------------------------------------------------
-4000.0        ! VS_MaxRat       - [Nm/s].
-1100.0        ! VS_MaxTq        - [Nm].
-10.0          ! VS_MinOMSpd     - [rad/s]
-0.9           ! VS_Rgn2K        - Generator torque constant in Region 2
-1000.0        ! VS_RtTq         - Rated torque, [Nm].
-31.0          ! VS_RefSpd       - Rated generator speed [rad/s]
-1             ! VS_n            - Number of generator PI torque controller gains
--60.0         ! VS_KP           - [-].
--9.0          ! VS_KI           - [s].
-!------- SETPOINT SMOOTHER ---------------------------------------------
-1.5           ! SS_VSGain       - [-].
-0.001         ! SS_PCGain       - [-].
-!------- WIND SPEED ESTIMATOR ---------------------------------------------
-10.0          ! WE_GearboxRatio - Gearbox ratio [>=1],  [-]
-!------- YAW CONTROL ------------------------------------------------------
-4.0 8.0       ! Y_ErrThresh     - [deg].
-0.0087        ! Y_Rate          - [rad/s]
-!------- MINIMUM PITCH SATURATION -------------------------------------------
-2             ! PS_BldPitchMin_N - Number of values
-4.0 11.0      ! PS_WindSpeeds   - [m/s]
-0.0 0.05      ! PS_BldPitchMin  - [rad]
-!------- Pitch Actuator Model -----------------------------------------------------
-3.14          ! PA_CornerFreq   - [rad/s]
-0.707         ! PA_Damping      - [-]
-)";
-
-foreign::Imported import_with(const std::string& discon,
+foreign::Imported import_with(const std::string& parameters,
                               const std::string& main = "small_turbine.fst") {
   Texts texts = samples();
-  texts["DISCON.IN"] = discon;
+  texts["DISCON.IN"] = parameters;
   return import_texts(texts, {main, "DISCON.IN"});
 }
 
@@ -103,7 +37,7 @@ bool leaves_out_part(const foreign::Imported& imported, const std::string& part)
 }  // namespace
 
 TEST_CASE("ROSCO's parameters are laws on the hub's side") {
-  const foreign::Imported imported = import_with(kDiscon);
+  const foreign::Imported imported = import_with(discon());
   REQUIRE(imported.scenario.space->outer_control);
   const OuterControl& control = *imported.scenario.space->outer_control;
   CHECK(control.joints == std::vector<std::string>{"pitch"});
@@ -142,7 +76,7 @@ TEST_CASE("ROSCO's parameters are laws on the hub's side") {
 
 TEST_CASE("what of ROSCO's modes is left out, or stands for it, is said") {
   const auto with = [](const std::string& from, const std::string& to) {
-    return import_with(replaced(kDiscon, from, to));
+    return import_with(replaced(discon(), from, to));
   };
   CHECK(leaves_out_part(with("1             ! VS_ControlMode", "2 ! VS_ControlMode"),
                         "VS_ControlMode, DISCON.IN:7, which is 2: the estimate of the wind"));
@@ -159,7 +93,7 @@ TEST_CASE("what of ROSCO's modes is left out, or stands for it, is said") {
 
 TEST_CASE("faults of ROSCO's parameters are refused with their lines") {
   const auto refusal = [](const std::string& from, const std::string& to) {
-    return message_of([&] { import_with(replaced(kDiscon, from, to)); });
+    return message_of([&] { import_with(replaced(discon(), from, to)); });
   };
   CHECK(refusal("10.0          ! WE_GearboxRatio", "0 ! WE_GearboxRatio") ==
         "DISCON.IN:56: WE_GearboxRatio is 0, expected more than 0");
@@ -173,7 +107,7 @@ TEST_CASE("faults of ROSCO's parameters are refused with their lines") {
   CHECK(contains(refusal("1             ! VS_ControlMode", "7 ! VS_ControlMode"),
                  "VS_ControlMode is 7, expected 0 to 4"));
   CHECK(contains(message_of([&] {
-                   import_texts({{"DISCON.IN", kDiscon}}, {"DISCON.IN"});
+                   import_texts({{"DISCON.IN", discon()}}, {"DISCON.IN"});
                  }),
                  "has no rotor to control"));
 }
@@ -183,7 +117,7 @@ TEST_CASE("the parameters that a missing library would read take its place") {
   for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
            {"1             VSContrl", "5 VSContrl"}, {"0             PCMode", "5 PCMode"}})
     texts["small_turbine_ServoDyn.dat"] = replaced(texts["small_turbine_ServoDyn.dat"], from, to);
-  texts["small_turbine.IN"] = kDiscon;
+  texts["small_turbine.IN"] = discon();
   const foreign::Imported imported = import_texts(texts, {"small_turbine.fst"});
   REQUIRE(imported.scenario.space->outer_control);
   CHECK(imported.scenario.space->outer_control->laws);
