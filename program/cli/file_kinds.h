@@ -25,6 +25,7 @@ extern const FileKind kWindFile;          ///< of spoke wind
 extern const FileKind kExportedFile;      ///< of spoke export
 extern const FileKind kImportedScenario;  ///< of spoke import
 extern const FileKind kImportedPolar;     ///< of spoke import
+extern const FileKind kImportedWind;      ///< of spoke import
 extern const FileKind kFmuFile;           ///< of spoke fmu
 
 /// Returns the kind of a file in a folder of results, by its name: "sensors.csv". The name must be

@@ -81,7 +81,7 @@ void write_files(const std::string& out, const foreign::Imported& imported,
   const fs::path folder = fs::path(out).parent_path();
   require_place(out, kImportedScenario);
   for (const foreign::SourceFile& table : imported.tables)
-    require_place(folder / table.name, kImportedPolar);
+    require_place(folder / table.name, is_in_folder(table) ? kImportedPolar : kImportedWind);
   std::optional<NewFolder> made;
   if (std::any_of(imported.tables.begin(), imported.tables.end(), is_in_folder))
     made.emplace(folder / tables);

@@ -106,8 +106,10 @@ void check_row(const InputLines& lines, const UniformRow& row, const UniformRow*
 
 void write_wind_rows(const std::vector<UniformRow>& rows, const SourceFile& source,
                      FoundWind& wind) {
-  wind.table = "time  speed  direction  vertical_speed  shear_exponent   # s, m/s, rad, m/s; of " +
-               printable(source.name) + '\n';
+  wind.table =
+      "time  speed  direction  vertical_speed  shear_exponent   # s, m/s, rad, m/s; written by "
+      "spoke import of " +
+      printable(source.name) + '\n';
   for (const UniformRow& row : rows)
     wind.table += fmt::format("{}  {}  {}  {}  {}\n", row.time, row.speed, row.direction,
                               row.vertical, row.exponent);

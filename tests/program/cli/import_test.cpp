@@ -99,6 +99,16 @@ TEST_CASE("a turbine and a rotor are imported whole") {
   CHECK(run_spoke({"check", "b.toml"}, folder.work).status == 0);
 }
 
+TEST_CASE("an import takes the place of an earlier one, with all its tables") {
+  const BladeFolder folder;
+  for (int i = 0; i < 2; ++i) {
+    const Ended ended = run_spoke({"import", "small_turbine.fst", "--out", "t.toml"}, folder.work);
+    CHECK(ended.err.empty());
+    CHECK(ended.status == 0);
+  }
+  CHECK(std::filesystem::exists(folder.work.path() / "t_wind.txt"));
+}
+
 TEST_CASE("aerodynamics come with a folder of tables, all of them or none") {
   const BladeFolder folder;
   const std::vector<std::string> import = {
