@@ -63,6 +63,12 @@ bool has_left_openmp(pid_t process, fs::file_time_type since) {
   return !error && written >= since;
 }
 
+/// Waits until a file is there, or for a second.
+void wait_for(const fs::path& file) {
+  constexpr double kPoll = 0.0005;  // s
+  for (int polls = 0; polls < 2000 && !fs::exists(file); ++polls) sleep_seconds(kPoll);
+}
+
 }  // namespace
 
 void check_kills(int kills) {
@@ -82,7 +88,11 @@ void check_kills(int kills) {
     resumed += fs::exists(checkpoint) ? 1 : 0;
     Child child(next_run(checkpoint, number), folder);
     if (killed < kills) {
-      sleep_seconds(moment(random));
+      // Where chance has killed all others too early, the last one waits for a checkpoint.
+      if (killed + 1 == kills && resumed == 0)
+        wait_for(checkpoint);
+      else
+        sleep_seconds(moment(random));
       child.send(SIGKILL);
     }
     const ChildEnded ended = child.wait();
